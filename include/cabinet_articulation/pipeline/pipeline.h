@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/planes/plane_segmenter.h"
+#include "cabinet_articulation/rectangles/rectangle_detector.h"
+#include "cabinet_articulation/stereo/block_matcher.h"
+#include "cabinet_articulation/tracking/rectangle_tracker.h"
+
+namespace cabinet_articulation {
+
+struct PipelineConfig {
+  StereoConfig stereo;
+  PlanesConfig planes;
+  RectanglesConfig rectangles;
+  TrackingConfig tracking;
+  ArticulationConfig articulation;
+
+  /// Reads <directory>/{stereo,planes,rectangles,tracking,articulation}.yaml; a missing file keeps that stage's defaults.
+  /// Throws ConfigError; warnings about unknown keys are appended.
+  static PipelineConfig load(const std::string& directory, std::vector<std::string>* warnings);
+};
+
+/// Milliseconds of wall time each stage took for one frame.
+struct StageTimes {
+  double stereo = 0, planes = 0, rectangles = 0, tracking = 0, articulation = 0;
+};
+
+/// What one frame gave. Rectangles in the left optical frame, tracks and models in the fixed frame.
+struct PipelineResult {
+  DepthFrame frame;
+  std::vector<PlaneRegion> planes;
+  std::vector<DetectedRectangle> rectangles;
+  std::vector<Track> tracks;
+  std::vector<LearnedModel> models;
+  StageTimes milliseconds;
+};
+
+/// The five stages in one object: two camera images in, models out.
+class Pipeline {
+ public:
+  explicit Pipeline(const PipelineConfig& config);
+
+  /// A rectified stereo pair. `T_fixed_camera` places the left optical frame in the frame the models live in.
+  PipelineResult process(double stamp, const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
+                         const Eigen::Isometry3d& T_fixed_camera = Eigen::Isometry3d::Identity());
+
+  /// The same from a ready depth frame (a depth camera or another matcher).
+  PipelineResult process(double stamp, const DepthFrame& frame,
+                         const Eigen::Isometry3d& T_fixed_camera = Eigen::Isometry3d::Identity());
+
+  void reset();
+
+ private:
+  BlockMatcher stereo_;
+  PlaneSegmenter planes_;
+  RectangleDetector rectangles_;
+  RectangleTracker tracking_;
+  ArticulationLearner articulation_;
+};
+
+/// Rectangles given in the camera's frame, seen from the fixed frame (poses and covariances).
+std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles, const Eigen::Isometry3d& T_fixed_camera);
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "cabinet_articulation/geometry/plane.h"
+
+namespace cabinet_articulation {
+
+/// What a pixel says about a plane: Eq. (2) of the paper plus `kOtherPlane` (ours): in-plane, but inside another region
+/// and nearer to that region's plane. The values are those of Plane.msg and readable as a picture.
+enum Label : std::uint8_t { kFree = 0, kUnknown = 64, kOtherPlane = 128, kOccluded = 192, kInPlane = 255 };
+
+/// One connected region of one plane. Masks of different regions overlap.
+struct PlaneRegion {
+  Plane plane;                       ///< in the left optical frame
+  DisparityPlane disparity_plane;    ///< the same plane in the image
+  int inliers = 0;                   ///< [px] size of the connected region
+  std::vector<cv::Point2f> hull;     ///< [px] convex hull of the connected region
+  cv::Mat1b mask;                    ///< a Label for every pixel of the left image
+};
+
+}  // namespace cabinet_articulation

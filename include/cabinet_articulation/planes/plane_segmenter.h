@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cabinet_articulation/config/config.h"
+#include "cabinet_articulation/planes/plane_region.h"
+#include "cabinet_articulation/stereo/depth_frame.h"
+
+namespace cabinet_articulation {
+
+struct PlanesConfig {
+  int seed = 1;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("seed", self.seed, Range{0, 2147483647}, "", "seed of the random samples");
+  }
+};
+
+/// Paper III-B.1: the planes of a frame and their masks. Buffers are kept between frames; the masks returned are fresh.
+class PlaneSegmenter {
+ public:
+  explicit PlaneSegmenter(const PlanesConfig& config);
+  ~PlaneSegmenter();
+
+  /// An empty or all-invalid disparity gives no regions. The same frame gives the same regions, whatever came before.
+  std::vector<PlaneRegion> process(const DepthFrame& frame);
+
+ private:
+  struct Buffers;
+  PlanesConfig config_;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+
+#include "cabinet_articulation/config/config.h"
+#include "cabinet_articulation/stereo/depth_frame.h"
+
+namespace cabinet_articulation {
+
+/// OpenCV's StereoBM. Fields are named as in stereo_image_proc; the defaults are the paper's (128 disparities, 15 Hz) and
+/// what was measured best for small fronts (15x15 windows; 9x9 loses doors).
+struct StereoConfig {
+  int disparity_range = 128;         ///< [px]
+  int min_disparity = 0;             ///< [px]
+  int correlation_window_size = 15;  ///< [px]
+  int prefilter_size = 9;            ///< [px]
+  int prefilter_cap = 31;
+  int texture_threshold = 10;
+  double uniqueness_ratio = 15;  ///< [%] the paper's ambiguity test (III-A)
+  int speckle_size = 100;        ///< [px]
+  int speckle_range = 4;         ///< [px]
+  bool recover_left_band = true;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("disparity_range", self.disparity_range, Range{16, 1024}, "px", "number of disparities searched, a multiple of 16");
+    visit("min_disparity", self.min_disparity, Range{-1024, 1024}, "px", "smallest disparity searched");
+    visit("correlation_window_size", self.correlation_window_size, Range{5, 255}, "px", "side of the matched block, odd");
+    visit("prefilter_size", self.prefilter_size, Range{5, 255}, "px", "window of the texture prefilter, odd");
+    visit("prefilter_cap", self.prefilter_cap, Range{1, 63}, "", "truncation of the prefiltered gradient");
+    visit("texture_threshold", self.texture_threshold, Range{0, 10000}, "", "least texture of a block");
+    visit("uniqueness_ratio", self.uniqueness_ratio, Range{0, 100}, "%", "margin of the best over the second-best match (paper, III-A: ambiguity test)");
+    visit("speckle_size", self.speckle_size, Range{0, 100000}, "px", "smaller isolated patches of disparity are dropped");
+    visit("speckle_range", self.speckle_range, Range{0, 1000}, "px", "disparity step that separates two patches");
+    visit("recover_left_band", self.recover_left_band, "also match the leftmost columns, by padding both images (ours: StereoBM leaves disparity_range columns empty)");
+  }
+};
+
+/// Rectified pair -> disparity. Deterministic; buffers are kept between frames.
+class BlockMatcher {
+ public:
+  /// Throws ConfigError (range, or an even window, or a disparity range that is no multiple of 16).
+  explicit BlockMatcher(const StereoConfig& config);
+  ~BlockMatcher();
+
+  /// Left and right must have the same size and type CV_8UC1, else std::invalid_argument with both in words.
+  /// Returns CV_32FC1 disparities [px], already free of camera.cx_difference, 0 where there is no match. The result is
+  /// fresh memory: it stays valid and unchanged after the next call. `left` and `right` of the frame share the inputs.
+  DepthFrame process(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera);
+
+  const StereoConfig& config() const { return config_; }
+
+ private:
+  struct Buffers;
+  StereoConfig config_;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+/// Depth image (CV_32FC1 metres or CV_16UC1 millimetres) -> the same kind of frame, without images.
+/// Throws std::invalid_argument for another type, or a size that differs from the camera's.
+DepthFrame frameFromDepth(const cv::Mat& depth, const StereoCamera& camera);
+
+}  // namespace cabinet_articulation

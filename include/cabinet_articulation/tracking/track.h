@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cabinet_articulation/rectangles/detected_rectangle.h"
+
+namespace cabinet_articulation {
+
+/// One observation of a tracked front, in the track's corner choice and in the fixed frame.
+struct TrackedObservation {
+  double stamp = 0;                                 ///< [s]
+  Rectangle rectangle;
+  Matrix6d covariance = Matrix6d::Zero();           ///< as DetectedRectangle, fixed frame
+  std::array<float, 4> edge_support{{1, 1, 1, 1}};  ///< in the track's corner choice
+};
+
+/// The history of one physical front (paper III-C), oldest observation first.
+struct Track {
+  std::uint32_t id = 0;
+  double width = 0;   ///< [m] estimated over the whole track
+  double height = 0;  ///< [m]
+  std::vector<TrackedObservation> observations;
+};
+
+}  // namespace cabinet_articulation

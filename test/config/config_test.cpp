@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/config/config.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <limits>
+
+namespace cabinet_articulation {
+namespace {
+
+struct Example {
+  int stride = 4;
+  double distance = 0.02;
+  bool refine = true;
+  std::string method = "ours";
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("stride", self.stride, Range{1, 32}, "px", "every stride-th pixel");
+    visit("distance", self.distance, Range{0, 1}, "m", "threshold");
+    visit("refine", self.refine, "second pass");
+    visit("method", self.method, Choices{"ours", "paper"}, "which one");
+  }
+};
+
+std::string messageOf(const ConfigValues& values) {
+  Example config;
+  try {
+    applyConfig(values, config);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Config, SetsFieldsAndKeepsTheDefaultsOfOthers) {
+  Example config;
+  EXPECT_TRUE(applyConfig({{"stride", 2}, {"distance", 1}, {"method", std::string("paper")}}, config).empty());
+  EXPECT_EQ(config.stride, 2);
+  EXPECT_EQ(config.distance, 1.0);
+  EXPECT_EQ(config.method, "paper");
+  EXPECT_TRUE(config.refine);
+}
+
+TEST(Config, SaysWhichKeyIsUnknownAndWhichWasMeant) {
+  Example config;
+  const auto warnings = applyConfig({{"strid", 2}}, config);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "unknown setting 'strid' is ignored; did you mean 'stride'?");
+}
+
+TEST(Config, RefusesValuesOutsideTheirRangeWithKeyValueAndRange) {
+  EXPECT_EQ(messageOf({{"stride", 0}}), "setting 'stride' is 0 px, allowed is 1 to 32 px");
+  EXPECT_EQ(messageOf({{"distance", std::numeric_limits<double>::quiet_NaN()}}), "setting 'distance' is not finite m, allowed is 0 to 1 m");
+  EXPECT_EQ(messageOf({{"method", std::string("other")}}), "setting 'method' is 'other', allowed is one of 'ours', 'paper'");
+}
+
+TEST(Config, RefusesWrongTypes) {
+  EXPECT_EQ(messageOf({{"stride", 2.5}}), "setting 'stride' is 2.5, expected a whole number");
+  EXPECT_EQ(messageOf({{"refine", 1}}), "setting 'refine' is 1, expected true or false");
+  EXPECT_EQ(messageOf({{"distance", std::string("far")}}), "setting 'distance' is 'far', expected a number");
+}
+
+TEST(Config, LeavesEverythingUnchangedWhenOneValueIsBad) {
+  Example config;
+  EXPECT_THROW(applyConfig({{"stride", 2}, {"distance", 5.0}}, config), ConfigError);
+  EXPECT_EQ(config.stride, 4);
+}
+
+TEST(Config, ReadsBackWhatItPrints) {
+  const std::string path = testing::TempDir() + "/config_test.yaml";
+  Example written;
+  written.stride = 7;
+  written.distance = 0.1 + 0.2;
+  std::ofstream(path) << toYaml(written, "Example");
+  std::vector<std::string> warnings;
+  const Example read = loadConfig<Example>(path, &warnings);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(read.stride, 7);
+  EXPECT_EQ(read.distance, written.distance);
+  std::remove(path.c_str());
+}
+
+TEST(Config, NamesTheFileThatCannotBeRead) {
+  std::vector<std::string> warnings;
+  try {
+    loadConfig<Example>("/nowhere/planes.yaml", &warnings);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(), "configuration file '/nowhere/planes.yaml' cannot be opened");
+  }
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
