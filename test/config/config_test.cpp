@@ -53,7 +53,8 @@ TEST(Config, SaysWhichKeyIsUnknownAndWhichWasMeant) {
 
 TEST(Config, RefusesValuesOutsideTheirRangeWithKeyValueAndRange) {
   EXPECT_EQ(messageOf({{"stride", 0}}), "setting 'stride' is 0 px, allowed is 1 to 32 px");
-  EXPECT_EQ(messageOf({{"distance", std::numeric_limits<double>::quiet_NaN()}}), "setting 'distance' is not finite m, allowed is 0 to 1 m");
+  EXPECT_EQ(messageOf({{"distance", std::numeric_limits<double>::quiet_NaN()}}),
+            "setting 'distance' is not finite m, allowed is 0 to 1 m");
   EXPECT_EQ(messageOf({{"method", std::string("other")}}), "setting 'method' is 'other', allowed is one of 'ours', 'paper'");
 }
 

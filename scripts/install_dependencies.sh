@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Installs what building, testing and running needs: Debian's own packages on Debian 12, rosdep on Ubuntu with ROS.
+# Does nothing when everything is there. Uses sudo when not root.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+. /etc/os-release
+
+as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi; }
+
+debian_packages=(
+  # compilers and test tools
+  g++ make cmake libgtest-dev libgmock-dev python3-nose catkin catkin-lint git ca-certificates
+  # ROS 1; the ros-*-msgs packages hold the .msg files that the message generator needs
+  libroscpp-dev rosbash python3-roslaunch python3-rosnode python3-rosservice python3-rosmsg python3-rostopic
+  librostest-dev python3-rostest libroslib-dev
+  libnodelet-dev libnodeletlib-dev libnodeletlib-tools pluginlib-dev
+  libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libtf2-msgs-dev tf2-tools
+  libmessage-filters-dev libcv-bridge-dev libimage-transport-dev libimage-geometry-dev libimage-proc-dev ros-image-proc
+  libstereo-image-proc-dev ros-stereo-image-proc
+  librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
+  python3-dynamic-reconfigure rviz
+  ros-message-generation ros-message-runtime ros-std-msgs ros-geometry-msgs ros-sensor-msgs ros-stereo-msgs
+  ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs
+  # libraries
+  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev libbenchmark-dev
+)
+
+install_debian() {
+  local missing=() package
+  for package in "${debian_packages[@]}"; do
+    [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "installing ${#missing[@]} Debian packages"
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+}
+
+install_ubuntu() {
+  if [ ! -d /opt/ros/noetic ]; then
+    echo "expected ROS Noetic in /opt/ros/noetic; see http://wiki.ros.org/noetic/Installation/Ubuntu" >&2
+    exit 1
+  fi
+  as_root apt-get update -q
+  as_root apt-get install -y -q --no-install-recommends g++ make cmake python3-rosdep python3-nose python3-catkin-lint
+  [ -d /etc/ros/rosdep/sources.list.d ] || as_root rosdep init
+  rosdep update --rosdistro noetic
+  rosdep install --from-paths "$here/.." --ignore-src --rosdistro noetic -y
+}
+
+case "$ID-$VERSION_ID" in
+  debian-12) install_debian ;;
+  ubuntu-20.04) install_ubuntu ;;
+  *)
+    echo "this script knows Debian 12 and Ubuntu 20.04 with ROS Noetic, and this is $PRETTY_NAME;" \
+      "install the dependencies of package.xml by rosdep" >&2
+    exit 1
+    ;;
+esac

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cabinet_articulation/ArticulationModelArray.h>
+#include <cabinet_articulation/SceneTruth.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cabinet_articulation {
+
+/// What a learned model must reach to be called right.
+struct TruthLimits {
+  double probability = 0.95;
+  double axis_degrees = 2;
+  double axis_millimetres = 15;        ///< distance of the hinge axes, doors only
+  double prediction_millimetres = 10;  ///< front's centre, at every opening of the script
+};
+
+/// One true joint beside the learned model nearest to it.
+struct JointComparison {
+  std::string name;
+  int true_type = 0;
+  double true_range = 0;  ///< [m or rad] travelled in the script
+  bool found = false;     ///< some model passes within 5 cm of the true front in the mean
+  ArticulationModel model;
+  double probability = 0;
+  double axis_degrees = 0;
+  double axis_millimetres = 0;  ///< 0 for drawers
+  double prediction_mean = 0;   ///< [mm]
+  double prediction_max = 0;    ///< [mm]
+  bool right = false;
+};
+
+struct SceneComparison {
+  std::vector<JointComparison> joints;  ///< every joint that moved, in the order of the scene
+  int false_movers = 0;                 ///< objects called moving that are none of them
+  bool right() const;
+};
+
+/// Collects the truth of a run and compares models with it. Truth and models must be in the same frame.
+class TruthComparison {
+ public:
+  void add(const SceneTruth& truth);
+  SceneComparison compare(const std::vector<ArticulationModel>& models, const TruthLimits& limits) const;
+
+ private:
+  struct History {
+    JointTruth last;
+    double q_min = 0, q_max = 0;
+    std::vector<Eigen::Vector3d> centers;
+  };
+  JointComparison compareJoint(const History& truth, const ArticulationModel& model) const;
+
+  std::vector<std::string> order_;
+  std::map<std::string, History> histories_;
+};
+
+/// A table for people: each learned object beside the truth.
+std::string format(const SceneComparison& comparison);
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""Rules about the tree itself: layers, lint, and files that must agree with one another."""
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = 'cabinet_articulation'
+
+# Who may include whom. ROS headers lie in the system's include path on Debian, so the build alone does not keep them out.
+LAYERS = {
+    'config': set(),
+    'geometry': set(),
+    'stereo': {'config', 'geometry'},
+    'planes': {'config', 'geometry', 'stereo'},
+    'rectangles': {'config', 'geometry', 'stereo', 'planes'},
+    'tracking': {'config', 'geometry', 'rectangles'},
+    'articulation': {'config', 'geometry', 'rectangles', 'tracking'},
+    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation'},
+    'simulation': {'config', 'geometry', 'stereo'},
+}
+ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'
+                         r'image_geometry|diagnostic_updater|pcl_ros|pcl_conversions|xmlrpcpp|\w+_msgs)/|^XmlRpc')
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
+
+
+def sources(*folders):
+    for folder in folders:
+        yield from sorted(path for path in (ROOT / folder).rglob('*') if path.suffix in ('.h', '.cpp'))
+
+
+class Layers(unittest.TestCase):
+    def test_core_includes_no_ros_header_and_points_one_way(self):
+        wrong = []
+        for stage, allowed in LAYERS.items():
+            files = list(sources('include/%s/%s' % (PACKAGE, stage), 'src/%s' % stage))
+            self.assertTrue(files, 'no sources in stage %s' % stage)
+            for path in files:
+                for header in INCLUDE.findall(path.read_text()):
+                    own = re.match(PACKAGE + r'/(\w+)/', header)
+                    if own and own.group(1) not in allowed | {stage}:
+                        wrong.append('%s: %s may not include %s' % (path.relative_to(ROOT), stage, header))
+                    elif not own and (ROS_HEADERS.match(header) or header.startswith(PACKAGE + '/')):
+                        wrong.append('%s: the core includes %s' % (path.relative_to(ROOT), header))
+        self.assertEqual(wrong, [])
+
+    def test_every_header_includes_once_and_every_source_has_a_licence(self):
+        for path in sources('include', 'src', 'test'):
+            text = path.read_text()
+            self.assertTrue(text.startswith('// SPDX-License-Identifier: BSD-3-Clause'), path)
+            if path.suffix == '.h':
+                self.assertIn('#pragma once', text, path)
+
+
+class Metadata(unittest.TestCase):
+    def test_catkin_lint_has_nothing_to_say(self):
+        self.assertTrue(shutil.which('catkin_lint'), 'catkin_lint is not installed')
+        with tempfile.TemporaryDirectory() as folder:
+            # The folder of a clone may have any name; lint wants the package's.
+            link = Path(folder) / PACKAGE
+            link.symlink_to(ROOT)
+            run = subprocess.run(['catkin_lint', '--offline', '--strict', '-W2', str(link) + '/'],
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertIn('checked 1 packages and found 0 problems', run.stdout)
+
+    def test_every_message_and_source_is_built(self):
+        cmake = (ROOT / 'CMakeLists.txt').read_text()
+        for path in sorted((ROOT / 'msg').glob('*.msg')):
+            self.assertIn(path.name, cmake)
+        for path in sources('src', 'test'):
+            if path.suffix == '.cpp':
+                lists = (path.parent / 'CMakeLists.txt').read_text()
+                self.assertTrue(path.name in lists or path.stem in lists, '%s is built by nobody' % path.relative_to(ROOT))
+
+
+if __name__ == '__main__':
+    unittest.main()
