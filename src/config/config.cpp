@@ -9,7 +9,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace detail {
 
 namespace {
@@ -143,4 +143,4 @@ ConfigValues readYamlFile(const std::string& path) {
   return values;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

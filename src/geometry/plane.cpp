@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 constexpr double kThroughCentre = 1e-9;  ///< [m] a plane nearer to the camera's centre than this has no image
 }
@@ -37,4 +37,4 @@ std::optional<Plane> toPlane(const DisparityPlane& image, const StereoCamera& ca
   return plane;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
@@ -90,4 +90,4 @@ double intersectionOverUnion(const Rectangle& reference, const Rectangle& other)
   return total > 0 ? intersection / total : 0;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 void require(bool holds, const char* name, double value, const char* expected) {
@@ -61,4 +61,4 @@ StereoCamera StereoCamera::fromDepthCamera(int width, int height, const std::arr
 
 Eigen::Vector3d StereoCamera::point(double u, double v, double disparity) const { return depth(disparity) * ray(u, v); }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

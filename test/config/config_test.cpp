@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 struct Example {
@@ -95,4 +95,4 @@ TEST(Config, NamesTheFileThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 const StereoCamera kCamera{640, 480, 690, 685, 322, 236, 0.09, 3};
@@ -38,4 +38,4 @@ TEST(Plane, WithoutAnImageGivesNothing) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

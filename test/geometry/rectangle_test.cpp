@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 Rectangle example() {
@@ -57,4 +57,4 @@ TEST(Rectangle, IntersectionOverUnionOfAShiftedCopy) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

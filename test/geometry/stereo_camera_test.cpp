@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 const std::array<double, 12> kLeft{600, 0, 310, 0, 0, 610, 250, 0, 0, 0, 1, 0};
@@ -52,4 +52,4 @@ TEST(StereoCamera, DescribesADepthCamera) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -8,7 +8,7 @@
 #include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/tracking/track.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 struct ArticulationConfig {
   double sigma_position = 0.01;
@@ -59,4 +59,4 @@ class ArticulationLearner {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -10,7 +10,7 @@
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// Values as in ArticulationModel.msg.
 enum class JointType : std::uint8_t { kRigid = 0, kPrismatic = 1, kRotational = 2 };
@@ -30,4 +30,4 @@ struct ModelParam {
   Kind kind = kParam;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// A setting is unknown, has the wrong type or lies outside its range. The message names key, value and what is allowed.
 class ConfigError : public std::runtime_error {
@@ -181,4 +181,8 @@ Config loadConfig(const std::string& path, std::vector<std::string>* warnings) {
   return config;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core
+
+namespace cabinet_articulation {
+using namespace core;
+}

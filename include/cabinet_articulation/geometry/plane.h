@@ -7,7 +7,7 @@
 
 #include "cabinet_articulation/geometry/stereo_camera.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// normal . p + offset = 0 with a unit normal towards the camera, so offset > 0 is the camera's distance (Eq. 1).
 struct Plane {
@@ -35,4 +35,4 @@ struct DisparityPlane {
 std::optional<DisparityPlane> toDisparityPlane(const Plane& plane, const StereoCamera& camera);
 std::optional<Plane> toPlane(const DisparityPlane& plane, const StereoCamera& camera);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -7,7 +7,7 @@
 
 #include "cabinet_articulation/geometry/plane.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// The edges in the order in which messages and covariances list them.
 enum Edge { kEdgeMinusX = 0, kEdgePlusX = 1, kEdgeMinusY = 2, kEdgePlusY = 3 };
@@ -42,4 +42,4 @@ Rectangle alignDescription(const Rectangle& rectangle, const Rectangle& referenc
 /// Intersection over union of `other`, projected along the normal of `reference` into its plane. 0..1.
 double intersectionOverUnion(const Rectangle& reference, const Rectangle& other);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// A rectified pair of pinhole cameras. The frame is the left optical frame: x right, y down, z forward.
 /// A depth camera is described by the same model: its depth is turned into the disparity of a virtual right camera.
@@ -43,4 +43,8 @@ struct StereoCamera {
   Eigen::Vector2d project(const Eigen::Vector3d& p) const { return {fx * p.x() / p.z() + cx, fy * p.y() / p.z() + cy}; }
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core
+
+namespace cabinet_articulation {
+using namespace core;
+}

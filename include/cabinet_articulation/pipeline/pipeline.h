@@ -12,7 +12,7 @@
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 struct PipelineConfig {
   StereoConfig stereo;
@@ -67,4 +67,4 @@ class Pipeline {
 /// Rectangles given in the camera's frame, seen from the fixed frame (poses and covariances).
 std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles, const Eigen::Isometry3d& T_fixed_camera);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

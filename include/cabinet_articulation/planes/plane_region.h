@@ -7,7 +7,7 @@
 
 #include "cabinet_articulation/geometry/plane.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// What a pixel says about a plane: Eq. (2) of the paper plus `kOtherPlane` (ours): in-plane, but inside another region
 /// and nearer to that region's plane. The values are those of Plane.msg and readable as a picture.
@@ -22,4 +22,4 @@ struct PlaneRegion {
   cv::Mat1b mask;                    ///< a Label for every pixel of the left image
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

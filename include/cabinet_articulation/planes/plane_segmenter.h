@@ -8,7 +8,7 @@
 #include "cabinet_articulation/planes/plane_region.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 struct PlanesConfig {
   int seed = 1;
@@ -34,4 +34,4 @@ class PlaneSegmenter {
   std::unique_ptr<Buffers> buffers_;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -6,7 +6,7 @@
 
 #include "cabinet_articulation/geometry/rectangle.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
@@ -20,4 +20,4 @@ struct DetectedRectangle {
   int region = 0;                                 ///< index of the plane region it was found in
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -9,7 +9,7 @@
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 struct RectanglesConfig {
   int seed = 1;
@@ -37,4 +37,4 @@ class RectangleDetector {
   std::unique_ptr<Buffers> buffers_;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -7,7 +7,7 @@
 #include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// OpenCV's StereoBM. Fields are named as in stereo_image_proc; the defaults are the paper's (128 disparities, 15 Hz) and
 /// what was measured best for small fronts (15x15 windows; 9x9 loses doors).
@@ -62,4 +62,4 @@ class BlockMatcher {
 /// Throws std::invalid_argument for another type, or a size that differs from the camera's.
 DepthFrame frameFromDepth(const cv::Mat& depth, const StereoCamera& camera);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

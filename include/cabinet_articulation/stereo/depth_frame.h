@@ -5,7 +5,7 @@
 
 #include "cabinet_articulation/geometry/stereo_camera.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// One measurement, as the stages after block matching see it. The images are views: the caller keeps the pixels alive.
 struct DepthFrame {
@@ -17,4 +17,4 @@ struct DepthFrame {
 /// True for a usable disparity; false for NaN, infinities, zero and negative numbers.
 inline bool isValidDisparity(float disparity) { return disparity > 0 && disparity < 1e4F; }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

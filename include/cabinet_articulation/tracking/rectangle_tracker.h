@@ -6,7 +6,7 @@
 #include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/tracking/track.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 struct TrackingConfig {
   double timeout = 20;  ///< [s] original release
@@ -40,4 +40,4 @@ class RectangleTracker {
   std::vector<Track> tracks_;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

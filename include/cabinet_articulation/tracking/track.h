@@ -6,7 +6,7 @@
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// One observation of a tracked front, in the track's corner choice and in the fixed frame.
 struct TrackedObservation {
@@ -24,4 +24,4 @@ struct Track {
   std::vector<TrackedObservation> observations;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core
