@@ -4,30 +4,23 @@
 #include <memory>
 #include <vector>
 
-#include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/planes/plane_region.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
+#include "cabinet_articulation/rectangles/rectangles_config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
 namespace cabinet_articulation::core {
 
-struct RectanglesConfig {
-  int seed = 1;
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("seed", self.seed, Range{0, 2147483647}, "", "seed of the random starts");
-  }
-};
-
-/// Paper III-B.2: at most a few rectangles in each plane region.
+/// Paper III-B.2: at most one rectangle in each plane region.
 class RectangleDetector {
  public:
+  /// Throws ConfigError for a value out of range.
   explicit RectangleDetector(const RectanglesConfig& config);
   ~RectangleDetector();
 
   /// `expected`: where live tracks are now (left optical frame); each proposes its own size at its place.
-  /// Without images in the frame the photometric edge refinement is skipped. The same input gives the same output.
+  /// Without images in the frame the photometric edge refinement is skipped. The same input gives the same output, best
+  /// supported rectangle first. Throws std::invalid_argument if images or masks differ in size from the camera.
   std::vector<DetectedRectangle> process(const DepthFrame& frame, const std::vector<PlaneRegion>& regions,
                                          const std::vector<Rectangle>& expected = {});
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "cabinet_articulation/rectangles/detected_rectangle.h"
+#include "cabinet_articulation/rectangles/rectangle_objective.h"
+
+namespace cabinet_articulation::core {
+
+/// Eq. (4): sum(1 - cost) / pixels, over the rectangle's pixels in the image. 0 without pixels.
+double precision(const LabelCounts& counts, const RectanglesConfig& config);
+
+/// Eq. (5), of the connected region and of in-plane pixels alone (ours: over an infinite plane, flush neighbours and
+/// far-away stripes count against a good front). At most 1.
+double recall(const LabelCounts& counts, int region_inliers);
+
+/// True if the rectangle explains its region and the region fills it. `rectangle` brings size, precision and recall.
+bool acceptable(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config);
+
+/// A rectangle that passed, and the pixels that support it.
+struct SupportedRectangle {
+  DetectedRectangle detection;
+  int support = 0;  ///< [px] in-plane pixels
+};
+
+/// Best supported first, without those that show the same surface as a better one, at most `max_rectangles`.
+std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config);
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "cabinet_articulation/rectangles/plane_chart.h"
+#include "cabinet_articulation/rectangles/rectangles_config.h"
+
+namespace cabinet_articulation::core {
+
+/// Pixels of a rectangle by label. Only pixels inside the image are counted.
+struct LabelCounts {
+  int in_plane = 0, free = 0, occluded = 0, unknown = 0, other_plane = 0;
+
+  int total() const { return in_plane + free + occluded + unknown + other_plane; }
+};
+
+/// How well a rectangle fits the mask of one region; the greedy search maximises it.
+///
+/// `label_weights` (ours): the sum of a weight per pixel. In-plane pixels gain 1, so that growing over them always pays,
+/// which Eq. (3) taken literally does not offer: with cost(in-plane) = 0 every all-in-plane rectangle scores 0.
+/// `paper`: sum(1 - cost) / pixels^(1 - alpha), the form of Eq. (3) in the original release, which also rejects
+/// rectangles that leave the image.
+///
+/// A candidate costs two look-ups per image row in prefix sums over the rows, which are built when first needed.
+class RectangleObjective {
+ public:
+  explicit RectangleObjective(const RectanglesConfig& config);
+
+  /// The mask must stay alive and unchanged while the objective is used.
+  void setMask(const cv::Mat1b& mask);
+
+  /// Minus infinity where the objective does not allow the rectangle.
+  double gain(const ImageQuad& quad) const;
+
+  LabelCounts count(const ImageQuad& quad) const;
+
+ private:
+  const std::int32_t* rowSums(int v) const;
+
+  bool paper_;
+  double alpha_;
+  double outside_weight_;
+  std::vector<std::int32_t> weights_;  ///< of each label value, in units of 1 / kWeightScale
+  cv::Mat1b mask_;
+  mutable std::vector<std::int32_t> sums_;  ///< [v][u]: the weights of row v left of u
+  mutable std::vector<std::uint8_t> ready_;
+};
+
+}  // namespace cabinet_articulation::core

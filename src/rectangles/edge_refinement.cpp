@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/edge_refinement.h"
+
+#include <cmath>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr int kPasses = 2;             ///< the second starts from the first's edges and turn
+constexpr double kMaxTurn = 0.1;       ///< [rad] a larger turn is a mismatch
+constexpr double kHalfDistance = 0.5;  ///< of an edge's length, between the middles of its halves
+
+struct EdgeShift {
+  bool confirmed = false;
+  double distance = 0;  ///< [m] outward
+  double turn = 0;      ///< [rad] counter-clockwise
+  double turn_weight = 0;
+};
+
+bool trusted(const EdgeStep& step, const RectanglesConfig& config) {
+  return step.inside - step.outside > config.edge_contrast && step.inside > config.edge_agreement;
+}
+
+EdgeShift measure(const PlaneChart& chart, const DisparityPlane& plane, const DepthFrame& frame, const PlaneRectangle& rectangle,
+                  Edge edge, const RectanglesConfig& config) {
+  EdgeShift shift;
+  const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
+  if (!image) return shift;
+  const EdgeProfile profile(frame, plane, *image);
+  const EdgeStep step = fitStep(profile.correlations());
+  if (!trusted(step, config)) return shift;
+  shift.confirmed = true;
+  shift.distance = step.offset * image->metres_per_pixel;
+  const EdgeStep first = fitStep(profile.correlationsOfHalf(0));
+  const EdgeStep second = fitStep(profile.correlationsOfHalf(1));
+  if (!trusted(first, config) || !trusted(second, config)) return shift;
+  // The edge runs counter-clockwise, so if its second half lies further out the rectangle must turn clockwise.
+  const double length = rectangle.side(1 - edgeAxis(edge));
+  shift.turn = -(second.offset - first.offset) * image->metres_per_pixel / (kHalfDistance * length);
+  shift.turn_weight = length * length;
+  return shift;
+}
+
+}  // namespace
+
+RefinedRectangle refineEdges(const PlaneChart& chart, const DisparityPlane& plane, const DepthFrame& frame,
+                             const PlaneRectangle& rectangle, const RectanglesConfig& config) {
+  RefinedRectangle result;
+  result.rectangle = rectangle;
+  if (frame.left.empty() || frame.right.empty()) return result;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const PlaneRectangle start = result.rectangle;
+    double turn = 0, weight = 0;
+    for (const Edge edge : kEdges) {
+      const EdgeShift shift = measure(chart, plane, frame, start, edge, config);
+      result.confirmed[edge] = shift.confirmed;
+      result.rectangle.moveEdge(edge, shift.distance);
+      turn += shift.turn_weight * shift.turn;
+      weight += shift.turn_weight;
+    }
+    if (weight > 0 && std::abs(turn / weight) < kMaxTurn) result.rectangle.angle += turn / weight;
+  }
+  return result;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/rectangle_acceptance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kSameOverlap = 0.5;    ///< IoU; two fits of one surface share more
+constexpr double kSameDistance = 0.03;  ///< [m] along the normal
+constexpr double kSameNormal = 0.94;    ///< cos 20 deg; planes of small fronts tilt by several degrees
+
+bool sameSurface(const Rectangle& a, const Rectangle& b) {
+  return a.normal().dot(b.normal()) > kSameNormal && std::abs(a.plane().distance(b.center())) < kSameDistance &&
+         intersectionOverUnion(a, b) > kSameOverlap;
+}
+
+}  // namespace
+
+double precision(const LabelCounts& counts, const RectanglesConfig& config) {
+  if (counts.total() == 0) return 0;
+  const double agreeing =
+      counts.in_plane + (1 - config.cost_occluded) * counts.occluded + (1 - config.cost_unknown) * counts.unknown;
+  return agreeing / counts.total();
+}
+
+double recall(const LabelCounts& counts, int region_inliers) {
+  return region_inliers > 0 ? std::min(1.0, static_cast<double>(counts.in_plane) / region_inliers) : 0;
+}
+
+bool acceptable(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config) {
+  const auto [shorter, longer] = std::minmax(rectangle.rectangle.width, rectangle.rectangle.height);
+  return shorter >= config.min_side && longer <= config.max_side && rectangle.precision > config.min_precision &&
+         rectangle.recall > config.min_recall && counts.in_plane >= config.min_visible * counts.total();
+}
+
+std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const SupportedRectangle& a, const SupportedRectangle& b) { return a.support > b.support; });
+  std::vector<DetectedRectangle> selected;
+  for (const SupportedRectangle& candidate : candidates) {
+    if (static_cast<int>(selected.size()) == config.max_rectangles) break;
+    const bool known = std::any_of(selected.begin(), selected.end(), [&](const DetectedRectangle& better) {
+      return sameSurface(better.rectangle, candidate.detection.rectangle);
+    });
+    if (!known) selected.push_back(candidate.detection);
+  }
+  return selected;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/rectangle_objective.h"
+
+#include <cmath>
+#include <limits>
+
+#include "cabinet_articulation/planes/plane_region.h"
+#include "cabinet_articulation/rectangles/image_spans.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kWeightScale = 1000;  ///< integers keep the sums exact; a row of 20,000 pixels still fits 32 bits
+
+std::vector<std::int32_t> labelWeights(const RectanglesConfig& config, bool paper) {
+  // A value that is no label says nothing about the plane.
+  std::vector<std::int32_t> weights(256, std::lround(kWeightScale * (paper ? 1 - config.cost_unknown : config.weight_unknown)));
+  weights[kInPlane] = kWeightScale;
+  weights[kFree] = std::lround(kWeightScale * (paper ? 0 : config.weight_free));
+  weights[kOtherPlane] = std::lround(kWeightScale * (paper ? 0 : config.weight_other_plane));
+  weights[kOccluded] = std::lround(kWeightScale * (paper ? 1 - config.cost_occluded : config.weight_occluded));
+  return weights;
+}
+
+bool insideImage(const ImageQuad& quad, const cv::Size& size) {
+  for (const Eigen::Vector2d& corner : quad)
+    if (!(corner.x() >= 0 && corner.y() >= 0 && corner.x() <= size.width - 1 && corner.y() <= size.height - 1)) return false;
+  return true;
+}
+
+}  // namespace
+
+RectangleObjective::RectangleObjective(const RectanglesConfig& config)
+    : paper_(config.objective == "paper"),
+      alpha_(config.alpha),
+      outside_weight_(config.weight_unknown),
+      weights_(labelWeights(config, paper_)) {}
+
+void RectangleObjective::setMask(const cv::Mat1b& mask) {
+  mask_ = mask;
+  sums_.resize(static_cast<size_t>(mask.rows) * (mask.cols + 1));
+  ready_.assign(mask.rows, 0);
+}
+
+const std::int32_t* RectangleObjective::rowSums(int v) const {
+  std::int32_t* sums = sums_.data() + static_cast<size_t>(v) * (mask_.cols + 1);
+  if (ready_[v]) return sums;
+  const std::uint8_t* labels = mask_[v];
+  std::int32_t sum = 0;
+  for (int u = 0; u < mask_.cols; ++u) {
+    sums[u] = sum;
+    sum += weights_[labels[u]];
+  }
+  sums[mask_.cols] = sum;
+  ready_[v] = 1;
+  return sums;
+}
+
+double RectangleObjective::gain(const ImageQuad& quad) const {
+  constexpr double kForbidden = -std::numeric_limits<double>::infinity();
+  if (paper_ && !insideImage(quad, mask_.size())) return kForbidden;
+  std::int64_t sum = 0;
+  std::int64_t pixels = 0;
+  forEachSpan(quad, mask_.cols, mask_.rows, [&](int v, int u_begin, int u_end) {
+    const std::int32_t* sums = rowSums(v);
+    sum += sums[u_end] - sums[u_begin];
+    pixels += u_end - u_begin;
+  });
+  if (pixels == 0) return kForbidden;
+  const double inside = static_cast<double>(sum) / kWeightScale;
+  if (paper_) return inside / std::pow(pixels, 1 - alpha_);  // Eq. (3)
+  return inside + outside_weight_ * std::max(0.0, area(quad) - static_cast<double>(pixels));
+}
+
+LabelCounts RectangleObjective::count(const ImageQuad& quad) const {
+  LabelCounts counts;
+  int total = 0;
+  forEachSpan(quad, mask_.cols, mask_.rows, [&](int v, int u_begin, int u_end) {
+    const std::uint8_t* labels = mask_[v];
+    int in_plane = 0, free = 0, occluded = 0, other = 0;
+    for (int u = u_begin; u < u_end; ++u) {
+      in_plane += labels[u] == kInPlane;
+      free += labels[u] == kFree;
+      occluded += labels[u] == kOccluded;
+      other += labels[u] == kOtherPlane;
+    }
+    counts.in_plane += in_plane;
+    counts.free += free;
+    counts.occluded += occluded;
+    counts.other_plane += other;
+    total += u_end - u_begin;
+  });
+  counts.unknown = total - counts.total();
+  return counts;
+}
+
+}  // namespace cabinet_articulation::core

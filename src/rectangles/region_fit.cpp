@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/region_fit.h"
+
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "cabinet_articulation/rectangles/edge_support.h"
+#include "cabinet_articulation/rectangles/image_edge.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kPlaneDistance = 0.05;  ///< [m] a tracked front moves no farther between frames
+constexpr double kPlaneCosine = 0.9;     ///< 26 deg: turn between frames and a small front's error
+constexpr double kSameSize = 0.03;       ///< [m] a side that the free fit and the track agree on
+constexpr double kObservedEdge = 0.5;    ///< edge support from which a side counts as seen
+constexpr double kRandomSide = 0.2;      ///< [m] of a random start (original release)
+
+std::optional<PlaneRectangle> outlineStart(const PlaneRegion& region, const PlaneChart& chart) {
+  std::vector<cv::Point2f> outline;
+  for (const cv::Point2f& pixel : region.hull)
+    if (const auto point = chart.fromPixel({pixel.x, pixel.y})) outline.emplace_back(point->x(), point->y());
+  if (outline.size() < 3) return std::nullopt;
+  const cv::RotatedRect box = cv::minAreaRect(outline);
+  PlaneRectangle start;
+  start.center = {box.center.x, box.center.y};
+  start.angle = box.angle * CV_PI / 180;
+  start.width = box.size.width;
+  start.height = box.size.height;
+  return start;
+}
+
+/// Paper III-B.2: at a random point of the plane, towards another one.
+std::vector<PlaneRectangle> randomStarts(const PlaneRegion& region, const PlaneChart& chart, const RectanglesConfig& config) {
+  std::vector<PlaneRectangle> starts;
+  if (config.random_starts == 0) return starts;
+  const cv::Rect box = cv::boundingRect(region.hull) & cv::Rect({0, 0}, region.mask.size());
+  std::vector<cv::Point> in_plane;
+  if (!box.empty()) cv::findNonZero(region.mask(box) == kInPlane, in_plane);
+  if (in_plane.empty()) return starts;
+  std::mt19937 random(config.seed);
+  const auto draw = [&] {
+    const cv::Point pixel = in_plane[random() % in_plane.size()] + box.tl();
+    return chart.fromPixel({pixel.x, pixel.y});
+  };
+  for (int i = 0; i < config.random_starts; ++i) {
+    const auto center = draw();
+    const auto towards = draw();
+    if (!center || !towards) continue;
+    const Eigen::Vector2d direction = *towards - *center;
+    starts.push_back({*center, std::atan2(direction.y(), direction.x()), kRandomSide, kRandomSide});
+  }
+  return starts;
+}
+
+bool liesIn(const Plane& plane, const Rectangle& expected) {
+  return expected.normal().dot(plane.normal) > kPlaneCosine && std::abs(plane.distance(expected.center())) < kPlaneDistance;
+}
+
+/// True if both edges across a side of the free fit were seen, or the side agrees with the track's anyway.
+bool sizeObserved(const PlaneRectangle& fit, const PlaneRectangle& tracked, const std::array<float, 4>& support) {
+  const double turn = fit.angle - tracked.angle;
+  const bool swapped = std::abs(std::sin(turn)) > std::abs(std::cos(turn));
+  for (const int axis : {0, 1}) {
+    const bool agrees = std::abs(fit.side(axis) - tracked.side(swapped ? 1 - axis : axis)) < kSameSize;
+    if (!agrees && std::min(support[2 * axis], support[2 * axis + 1]) < kObservedEdge) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<RegionFit> fitRegion(const PlaneRegion& region, const PlaneChart& chart, const RectangleObjective& objective,
+                                   const std::vector<Rectangle>& expected, const RectanglesConfig& config) {
+  std::vector<PlaneRectangle> starts = randomStarts(region, chart, config);
+  if (const auto start = outlineStart(region, chart)) starts.insert(starts.begin(), *start);
+  SearchResult free{{}, -std::numeric_limits<double>::infinity()};
+  for (const PlaneRectangle& start : starts) {
+    const SearchResult result = searchRectangle(chart, objective, start, SearchFreedom::kAll, config);
+    if (result.gain > free.gain) free = result;
+  }
+  SearchResult guided{{}, -std::numeric_limits<double>::infinity()};
+  for (const Rectangle& rectangle : expected) {
+    if (!liesIn(region.plane, rectangle)) continue;
+    const SearchResult result = searchRectangle(chart, objective, chart.fromSpace(rectangle), SearchFreedom::kPlacement, config);
+    if (result.gain > guided.gain) guided = result;
+  }
+  if (std::isfinite(guided.gain) && guided.gain > config.track_gain * std::max(free.gain, 0.0) &&
+      !sizeObserved(free.rectangle, guided.rectangle, edgeSupport(chart, free.rectangle, region.mask)))
+    return RegionFit{guided.rectangle, true};
+  if (!std::isfinite(free.gain)) return std::nullopt;
+  return RegionFit{free.rectangle, false};
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/edge_refinement.h"
+
+#include <gtest/gtest.h>
+
+#include "front_scene.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+class EdgeRefinementTest : public testing::Test {
+ protected:
+  void render(const std::vector<TexturedRectangle>& surfaces) {
+    frame_.camera = exampleCamera();
+    frame_.left = renderView(surfaces, frame_.camera, false);
+    frame_.right = renderView(surfaces, frame_.camera, true);
+  }
+
+  RefinedRectangle refine(const Rectangle& start) const {
+    const PlaneChart chart = *PlaneChart::at(front_.plane(), frame_.camera, frame_.camera.project(front_.center()));
+    return refineEdges(chart, *toDisparityPlane(front_.plane(), frame_.camera), frame_, chart.fromSpace(start), {});
+  }
+
+  Rectangle inSpace(const PlaneRectangle& rectangle) const {
+    return PlaneChart::at(front_.plane(), frame_.camera, frame_.camera.project(front_.center()))->toSpace(rectangle);
+  }
+
+  const Rectangle front_ = exampleFront({0, 0, 1.3}, 0.4, 0.13, 0.3, 0.2, 0.1);
+  const Rectangle wall_ = exampleFront({0, 0, 1.6}, 3, 3, 0, 0, 0);
+  DepthFrame frame_;
+};
+
+TEST_F(EdgeRefinementTest, PutsWrongEdgesAndAWrongTurnRight) {
+  render({{front_, 1}, {wall_, 2}});
+  Rectangle start = front_;
+  start.width += 0.014;
+  start.height -= 0.008;
+  start.pose.translation() += start.pose.linear() * Eigen::Vector3d(0.003, 0.002, 0);
+  start.pose.linear() *= Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  ASSERT_GT(cornerError(front_, start), 0.008);
+  const RefinedRectangle refined = refine(start);
+  for (const bool confirmed : refined.confirmed) EXPECT_TRUE(confirmed);
+  // One pixel is 1.9 mm; strips are half a pixel wide.
+  EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.002);
+}
+
+TEST_F(EdgeRefinementTest, LeavesAnEdgeAloneThatContinuesInThePlane) {
+  Rectangle longer = front_;
+  longer.width = 0.8;  // the surface goes on beyond both short edges
+  render({{longer, 1}, {wall_, 2}});
+  const RefinedRectangle refined = refine(front_);
+  EXPECT_FALSE(refined.confirmed[kEdgeMinusX]);
+  EXPECT_FALSE(refined.confirmed[kEdgePlusX]);
+  EXPECT_TRUE(refined.confirmed[kEdgeMinusY]);
+  EXPECT_TRUE(refined.confirmed[kEdgePlusY]);
+  EXPECT_NEAR(refined.rectangle.width, front_.width, 1e-9);
+}
+
+TEST_F(EdgeRefinementTest, ChangesNothingWithoutImages) {
+  frame_.camera = exampleCamera();
+  const RefinedRectangle refined = refine(front_);
+  for (const bool confirmed : refined.confirmed) EXPECT_FALSE(confirmed);
+  EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 1e-12);
+}
+
+TEST_F(EdgeRefinementTest, SurvivesARectangleOutsideTheImage) {
+  render({{wall_, 2}});
+  Rectangle outside = front_;
+  outside.pose.translation() += outside.pose.linear() * Eigen::Vector3d(3, 0, 0);
+  const RefinedRectangle refined = refine(outside);
+  for (const bool confirmed : refined.confirmed) EXPECT_FALSE(confirmed);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
