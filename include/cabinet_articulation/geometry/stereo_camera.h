@@ -45,6 +45,8 @@ struct StereoCamera {
 
 }  // namespace cabinet_articulation::core
 
+#ifndef CABINET_ARTICULATION_SEPARATE_CORE
 namespace cabinet_articulation {
 using namespace core;
 }
+#endif

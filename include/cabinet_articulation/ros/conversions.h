@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cabinet_articulation/ArticulationModelArray.h>
+#include <cabinet_articulation/RectangleArray.h>
+#include <cabinet_articulation/TrackArray.h>
+#include <std_msgs/Header.h>
+
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/rectangles/detected_rectangle.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation {
+
+/*
+ * What the stages exchange, as messages and back. Pure functions. The frame of the poses is the caller's knowledge and
+ * goes into the header. fromMessage throws std::invalid_argument for what no stage would publish (poses that are not
+ * finite, no unit quaternion, lists whose lengths differ), naming the element.
+ */
+
+Rectangle toMessage(const core::DetectedRectangle& rectangle);
+RectangleArray toMessage(const std::vector<core::DetectedRectangle>& rectangles, const std_msgs::Header& header);
+core::DetectedRectangle fromMessage(const Rectangle& message);
+std::vector<core::DetectedRectangle> fromMessage(const RectangleArray& message);
+
+Track toMessage(const core::Track& track, const std::string& frame_id);
+TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header);
+core::Track fromMessage(const Track& message);
+std::vector<core::Track> fromMessage(const TrackArray& message);
+
+ArticulationModel toMessage(const core::LearnedModel& model, const std::string& frame_id);
+ArticulationModelArray toMessage(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header);
+core::LearnedModel fromMessage(const ArticulationModel& message);
+std::vector<core::LearnedModel> fromMessage(const ArticulationModelArray& message);
+
+}  // namespace cabinet_articulation

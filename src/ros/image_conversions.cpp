@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/image_conversions.h"
+
+#include <sensor_msgs/image_encodings.h>
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace cabinet_articulation {
+namespace {
+
+namespace encodings = sensor_msgs::image_encodings;
+
+std::array<double, 12> projection(const sensor_msgs::CameraInfo& info) {
+  std::array<double, 12> P;
+  std::copy(info.P.begin(), info.P.end(), P.begin());
+  return P;
+}
+
+[[noreturn]] void fail(const std::string& topic, const std::string& text) { throw std::invalid_argument(topic + ": " + text); }
+
+template <class Value, class Expected>
+[[noreturn]] void wrong(const std::string& topic, const char* element, const Value& value, const Expected& expected) {
+  std::ostringstream text;
+  text << element << " is " << value << ", expected " << expected;
+  fail(topic, text.str());
+}
+
+std::string sizeText(unsigned width, unsigned height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// The rows of an image message as a matrix that shares its memory; checks that the memory is there.
+cv::Mat pixels(const sensor_msgs::Image& image, const std::string& topic, int type) {
+  const size_t row = static_cast<size_t>(image.width) * CV_ELEM_SIZE(type);
+  if (image.step < row || image.data.size() < static_cast<size_t>(image.step) * image.height)
+    fail(topic, "holds " + std::to_string(image.data.size()) + " bytes in rows of " + std::to_string(image.step) +
+                    ", too few for " + sizeText(image.width, image.height) + " pixels");
+  if (image.width == 0 || image.height == 0) return cv::Mat(0, 0, type);
+  return cv::Mat(static_cast<int>(image.height), static_cast<int>(image.width), type,
+                 const_cast<std::uint8_t*>(image.data.data()), image.step);
+}
+
+template <class Convert>
+cv_bridge::CvImageConstPtr guarded(const std::string& topic, const Convert& convert) {
+  try {
+    return convert();
+  } catch (const cv_bridge::Exception& error) {
+    fail(topic, error.what());
+  } catch (const cv::Exception& error) {
+    fail(topic, error.what());
+  }
+}
+
+void fillImage(const cv::Mat& pixels, const std_msgs::Header& header, const std::string& encoding, sensor_msgs::Image* image) {
+  image->header = header;
+  image->encoding = encoding;
+  image->is_bigendian = false;
+  image->width = static_cast<std::uint32_t>(pixels.cols);
+  image->height = static_cast<std::uint32_t>(pixels.rows);
+  const size_t row = pixels.cols * pixels.elemSize();
+  image->step = static_cast<std::uint32_t>(row);
+  image->data.clear();
+  image->data.reserve(row * pixels.rows);
+  for (int v = 0; v < pixels.rows; ++v) image->data.insert(image->data.end(), pixels.ptr(v), pixels.ptr(v) + row);
+}
+
+}  // namespace
+
+core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right,
+                                  const std::string& left_topic, const std::string& right_topic) {
+  if (left.width != right.width || left.height != right.height)
+    fail(right_topic, "size is " + sizeText(right.width, right.height) + ", expected that of " + left_topic + ", " +
+                          sizeText(left.width, left.height));
+  try {
+    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
+                                               projection(right));
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    fail(text.rfind("right", 0) == 0 ? right_topic : left_topic, text);
+  }
+}
+
+core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std::string& topic, double virtual_baseline) {
+  std::array<double, 9> K;
+  if (info.P[0] != 0)
+    K = {info.P[0], info.P[1], info.P[2], info.P[4], info.P[5], info.P[6], info.P[8], info.P[9], info.P[10]};
+  else
+    std::copy(info.K.begin(), info.K.end(), K.begin());
+  try {
+    return core::StereoCamera::fromDepthCamera(static_cast<int>(info.width), static_cast<int>(info.height), K, virtual_baseline);
+  } catch (const std::invalid_argument& error) {
+    fail(topic, error.what());
+  }
+}
+
+core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparity, const std::string& topic,
+                                     const sensor_msgs::CameraInfo& left, const std::string& left_topic,
+                                     const sensor_msgs::CameraInfo* right) {
+  if (!(disparity.f > 0)) wrong(topic, "f", disparity.f, "the focal length in pixels");
+  if (!(disparity.T > 0)) wrong(topic, "T", disparity.T, "the baseline in metres, a positive number");
+  // The right camera that the message implies: the focal length and the baseline it was computed with.
+  std::array<double, 12> P_right = projection(left);
+  P_right[3] = -P_right[0] * (static_cast<double>(disparity.f) * disparity.T / left.P[0]);
+  if (right) P_right[2] = right->P[2];
+  try {
+    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
+                                               P_right);
+  } catch (const std::invalid_argument& error) {
+    fail(left_topic, error.what());
+  }
+}
+
+cv_bridge::CvImageConstPtr toMono(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
+  return guarded(topic, [&] { return cv_bridge::toCvShare(image, encodings::MONO8); });
+}
+
+cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
+  return guarded(topic, [&] { return cv_bridge::toCvShare(image); });
+}
+
+cv::Mat1f toDisparities(const stereo_msgs::DisparityImage& message, const std::string& topic, const core::StereoCamera& camera) {
+  const sensor_msgs::Image& image = message.image;
+  if (image.encoding != encodings::TYPE_32FC1) fail(topic, "encoding is '" + image.encoding + "', expected '32FC1'");
+  if (static_cast<int>(image.width) != camera.width || static_cast<int>(image.height) != camera.height)
+    fail(topic, "size is " + sizeText(image.width, image.height) + ", expected the camera's " +
+                    sizeText(static_cast<unsigned>(camera.width), static_cast<unsigned>(camera.height)));
+  const cv::Mat1f disparities = pixels(image, topic, CV_32FC1);
+  const double no_match = message.min_disparity - 1 - camera.cx_difference;
+  if (!(no_match > 0)) return disparities;
+  cv::Mat1f cleaned;
+  cv::threshold(disparities, cleaned, no_match + 0.5, 0, cv::THRESH_TOZERO);
+  return cleaned;
+}
+
+stereo_msgs::DisparityImage toMessage(const core::DepthFrame& frame, const std_msgs::Header& header, int min_disparity,
+                                      int disparity_range) {
+  stereo_msgs::DisparityImage message;
+  message.header = header;
+  fillImage(frame.disparity, header, encodings::TYPE_32FC1, &message.image);
+  message.f = static_cast<float>(frame.camera.fx);
+  message.T = static_cast<float>(frame.camera.baseline);
+  message.min_disparity = static_cast<float>(min_disparity);
+  message.max_disparity = static_cast<float>(min_disparity + disparity_range - 1);
+  message.delta_d = 1.0F / 16;  // StereoBM's resolution
+  message.valid_window.width = static_cast<std::uint32_t>(frame.disparity.cols);
+  message.valid_window.height = static_cast<std::uint32_t>(frame.disparity.rows);
+  return message;
+}
+
+sensor_msgs::Image toMessage(const cv::Mat1b& image, const std_msgs::Header& header) {
+  sensor_msgs::Image message;
+  fillImage(image, header, encodings::MONO8, &message);
+  return message;
+}
+
+Plane toMessage(const core::PlaneRegion& region, const std_msgs::Header& header) {
+  Plane message;
+  message.coefficients = {region.plane.normal.x(), region.plane.normal.y(), region.plane.normal.z(), region.plane.offset};
+  message.disparity_plane = {region.disparity_plane.a, region.disparity_plane.b, region.disparity_plane.c};
+  message.inliers = static_cast<std::uint32_t>(std::max(region.inliers, 0));
+  for (const cv::Point2f& point : region.hull) {
+    geometry_msgs::Point32 corner;
+    corner.x = point.x;
+    corner.y = point.y;
+    message.hull.push_back(corner);
+  }
+  fillImage(region.mask, header, encodings::MONO8, &message.mask);
+  return message;
+}
+
+PlaneArray toMessage(const std::vector<core::PlaneRegion>& regions, const std_msgs::Header& header) {
+  PlaneArray message;
+  message.header = header;
+  message.planes.reserve(regions.size());
+  for (const core::PlaneRegion& region : regions) message.planes.push_back(toMessage(region, header));
+  return message;
+}
+
+core::PlaneRegion fromMessage(const Plane& message) {
+  core::PlaneRegion region;
+  region.plane = {{message.coefficients[0], message.coefficients[1], message.coefficients[2]}, message.coefficients[3]};
+  region.disparity_plane = {message.disparity_plane[0], message.disparity_plane[1], message.disparity_plane[2]};
+  region.inliers = static_cast<int>(message.inliers);
+  for (const geometry_msgs::Point32& point : message.hull) region.hull.emplace_back(point.x, point.y);
+  if (message.mask.encoding != encodings::MONO8) fail("mask", "encoding is '" + message.mask.encoding + "', expected 'mono8'");
+  region.mask = pixels(message.mask, "mask", CV_8UC1);
+  return region;
+}
+
+std::vector<core::PlaneRegion> fromMessage(const PlaneArray& message) {
+  std::vector<core::PlaneRegion> regions;
+  regions.reserve(message.planes.size());
+  for (const Plane& plane : message.planes) {
+    try {
+      regions.push_back(fromMessage(plane));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("planes[" + std::to_string(regions.size()) + "]: " + error.what());
+    }
+  }
+  return regions;
+}
+
+}  // namespace cabinet_articulation

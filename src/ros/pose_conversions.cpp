@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/pose_conversions.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace cabinet_articulation {
+namespace {
+
+using RowMajor6d = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+constexpr double kQuaternionTolerance = 0.01;
+
+}  // namespace
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
+  geometry_msgs::Point message;
+  message.x = p.x();
+  message.y = p.y();
+  message.z = p.z();
+  return message;
+}
+
+geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
+geometry_msgs::Pose toMessage(const Eigen::Isometry3d& pose) {
+  geometry_msgs::Pose message;
+  message.position = toPoint(pose.translation());
+  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
+  message.orientation.x = q.x();
+  message.orientation.y = q.y();
+  message.orientation.z = q.z();
+  message.orientation.w = q.w();
+  return message;
+}
+
+Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& message) {
+  const Eigen::Vector3d p = fromMessage(message.position);
+  const Eigen::Quaterniond q(message.orientation.w, message.orientation.x, message.orientation.y, message.orientation.z);
+  std::ostringstream text;
+  if (!p.allFinite()) {
+    text << "position is (" << p.x() << ", " << p.y() << ", " << p.z() << "), expected finite numbers";
+    throw std::invalid_argument(text.str());
+  }
+  if (!(std::abs(q.norm() - 1) <= kQuaternionTolerance)) {
+    text << "orientation has length " << q.norm() << ", expected a unit quaternion";
+    throw std::invalid_argument(text.str());
+  }
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = q.normalized().toRotationMatrix();
+  pose.translation() = p;
+  return pose;
+}
+
+Eigen::Vector3d fromMessage(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
+
+Eigen::Vector3d fromMessage(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+boost::array<double, 36> toMessage(const core::Matrix6d& covariance) {
+  boost::array<double, 36> message;
+  Eigen::Map<RowMajor6d>(message.data()) = covariance;
+  return message;
+}
+
+core::Matrix6d fromMessage(const boost::array<double, 36>& covariance) { return Eigen::Map<const RowMajor6d>(covariance.data()); }
+
+ros::Time toStamp(double seconds) { return ros::Time().fromSec(seconds); }
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/image_conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/make_shared.hpp>
+#include <limits>
+
+#include "support/ros_messages.h"
+
+namespace cabinet_articulation {
+namespace {
+
+using test::cameraInfo;
+using test::disparityImage;
+using test::errorOf;
+using test::greyImage;
+using test::smallCamera;
+
+const float kNan = std::numeric_limits<float>::quiet_NaN();
+const float kInf = std::numeric_limits<float>::infinity();
+
+std_msgs::Header exampleHeader() {
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(5, 6);
+  return header;
+}
+
+std::string pairError(const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right) {
+  return errorOf([&] { toStereoCamera(left, right, "/stereo/left/camera_info", "/stereo/right/camera_info"); });
+}
+
+TEST(CameraConversion, TakesThePairFromItsProjectionMatrices) {
+  core::StereoCamera camera = smallCamera();
+  camera.cx_difference = 4;
+  const core::StereoCamera back = toStereoCamera(cameraInfo(camera, false), cameraInfo(camera, true), "l", "r");
+  EXPECT_EQ(back.width, 320);
+  EXPECT_EQ(back.height, 240);
+  EXPECT_EQ(back.fx, camera.fx);
+  EXPECT_EQ(back.cx, camera.cx);
+  EXPECT_EQ(back.cy, camera.cy);
+  EXPECT_NEAR(back.baseline, camera.baseline, 1e-15);
+  EXPECT_EQ(back.cx_difference, 4);
+}
+
+TEST(CameraConversion, NamesTopicAndElementOfABadCalibration) {
+  const sensor_msgs::CameraInfo left = cameraInfo(smallCamera(), false);
+  sensor_msgs::CameraInfo right = cameraInfo(smallCamera(), true);
+  right.P[3] = 0;
+  EXPECT_EQ(pairError(left, right).find("/stereo/right/camera_info: right P[3] is 0, expected -fx * baseline"), 0u);
+  sensor_msgs::CameraInfo uncalibrated;
+  uncalibrated.width = left.width;
+  uncalibrated.height = left.height;
+  EXPECT_EQ(pairError(uncalibrated, right).find("/stereo/left/camera_info: left P[0] is 0, expected a positive focal length"),
+            0u);
+  right = cameraInfo(smallCamera(), true);
+  right.width = 640;
+  EXPECT_EQ(pairError(left, right),
+            "/stereo/right/camera_info: size is 640x240, expected that of /stereo/left/camera_info, 320x240");
+}
+
+TEST(CameraConversion, DepthCameraUsesPAndElseK) {
+  sensor_msgs::CameraInfo info = cameraInfo(smallCamera(), false);
+  info.P[0] = 290;
+  EXPECT_EQ(toDepthCamera(info, "t", 0.075).fx, 290);
+  info.P.assign(0);
+  EXPECT_EQ(toDepthCamera(info, "t", 0.075).fx, 300);
+  info.K.assign(0);
+  EXPECT_EQ(errorOf([&] { toDepthCamera(info, "/depth/camera_info", 0.075); }).find("/depth/camera_info: K[0] is 0, expected"),
+            0u);
+}
+
+TEST(CameraConversion, DisparityCameraTrustsTheMessagesFocalLengthTimesBaseline) {
+  auto disparity = disparityImage(smallCamera(), exampleHeader(), [](int, int) { return 10.F; });
+  const sensor_msgs::CameraInfo left = cameraInfo(smallCamera(), false);
+  sensor_msgs::CameraInfo right = cameraInfo(smallCamera(), true);
+  right.P[2] -= 3;
+  const core::StereoCamera camera = toDisparityCamera(disparity, "d", left, "l", &right);
+  EXPECT_NEAR(camera.focalBaseline(), 300 * 0.08, 1e-6);
+  EXPECT_EQ(camera.cx, 155);
+  EXPECT_EQ(camera.cx_difference, 3);
+  EXPECT_EQ(toDisparityCamera(disparity, "d", left, "l").cx_difference, 0);
+  disparity.T = 0;
+  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }),
+            "/d: T is 0, expected the baseline in metres, a positive number");
+  disparity.T = 0.08F;
+  disparity.f = kNan;
+  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }), "/d: f is nan, expected the focal length in pixels");
+  disparity.f = 300;
+  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", sensor_msgs::CameraInfo(), "/l"); }).find("/l: "), 0u);
+}
+
+TEST(ImageConversion, MonoImageIsAView) {
+  const auto image =
+      boost::make_shared<sensor_msgs::Image>(greyImage(8, 4, exampleHeader(), [](int u, int v) { return u + 10 * v; }));
+  const cv_bridge::CvImageConstPtr view = toMono(image, "t");
+  EXPECT_EQ(view->image.data, image->data.data());
+  EXPECT_EQ(view->image.at<std::uint8_t>(3, 5), 35);
+}
+
+TEST(ImageConversion, OtherEncodingsBecomeMono) {
+  auto image = boost::make_shared<sensor_msgs::Image>(greyImage(8, 4, exampleHeader(), [](int, int) { return 0; }));
+  image->encoding = sensor_msgs::image_encodings::BGR8;
+  image->step = 24;
+  image->data.assign(24 * 4, 77);
+  EXPECT_EQ(toMono(image, "t")->image.at<std::uint8_t>(2, 2), 77);
+  image->encoding = sensor_msgs::image_encodings::MONO16;
+  image->step = 16;
+  image->data.assign(16 * 4, 128);  // 0x8080 = 32896
+  EXPECT_EQ(toMono(image, "t")->image.at<std::uint8_t>(2, 2), 128);
+}
+
+TEST(ImageConversion, NamesTheTopicOfABrokenImage) {
+  auto image = boost::make_shared<sensor_msgs::Image>(greyImage(8, 4, exampleHeader(), [](int, int) { return 0; }));
+  image->data.resize(20);
+  EXPECT_EQ(errorOf([&] { toMono(image, "/stereo/left/image_rect"); }).find("/stereo/left/image_rect: "), 0u);
+  image = boost::make_shared<sensor_msgs::Image>(greyImage(8, 4, exampleHeader(), [](int, int) { return 0; }));
+  image->encoding = "nonsense";
+  EXPECT_EQ(errorOf([&] { toMono(image, "/stereo/left/image_rect"); }).find("/stereo/left/image_rect: "), 0u);
+}
+
+TEST(DisparityConversion, IsAViewInWhichInvalidPixelsStayInvalid) {
+  const auto message = disparityImage(smallCamera(), exampleHeader(), [](int u, int) {
+    return u == 0 ? kNan : u == 1 ? kInf : u == 2 ? -1 : 7.5F;
+  });
+  const cv::Mat1f view = toDisparities(message, "d", smallCamera());
+  EXPECT_EQ(reinterpret_cast<const std::uint8_t*>(view.data), message.image.data.data());
+  for (int u = 0; u < 3; ++u) EXPECT_FALSE(core::isValidDisparity(view(100, u))) << u;
+  EXPECT_EQ(view(100, 3), 7.5F);
+}
+
+TEST(DisparityConversion, PositiveMarkForNoMatchIsRemoved) {
+  // stereo_image_proc with min_disparity 16 marks pixels without a match with 15, which would be a wall far away.
+  auto message = disparityImage(smallCamera(), exampleHeader(), [](int u, int) { return u == 0 ? 15.F : u == 1 ? kNan : 16.F; });
+  message.min_disparity = 16;
+  const cv::Mat1f disparities = toDisparities(message, "d", smallCamera());
+  EXPECT_FALSE(core::isValidDisparity(disparities(5, 0)));
+  EXPECT_FALSE(core::isValidDisparity(disparities(5, 1)));
+  EXPECT_EQ(disparities(5, 2), 16.F);
+}
+
+TEST(DisparityConversion, NamesTopicAndElementOfABadImage) {
+  auto message = disparityImage(smallCamera(), exampleHeader(), [](int, int) { return 1.F; });
+  const auto error = [&] { return errorOf([&] { toDisparities(message, "/stereo/disparity", smallCamera()); }); };
+  message.image.encoding = "16UC1";
+  EXPECT_EQ(error(), "/stereo/disparity: encoding is '16UC1', expected '32FC1'");
+  message.image.encoding = "32FC1";
+  message.image.height = 200;
+  EXPECT_EQ(error(), "/stereo/disparity: size is 320x200, expected the camera's 320x240");
+  message.image.height = 240;
+  message.image.data.resize(1000);
+  EXPECT_EQ(error(), "/stereo/disparity: holds 1000 bytes in rows of 1280, too few for 320x240 pixels");
+}
+
+TEST(DisparityConversion, FrameComesBackFromItsMessage) {
+  core::DepthFrame frame;
+  frame.camera = smallCamera();
+  frame.disparity = cv::Mat1f(240, 320, 12.25F);
+  frame.disparity(7, 9) = 0;
+  const stereo_msgs::DisparityImage message = toMessage(frame, exampleHeader(), 0, 64);
+  EXPECT_EQ(message.header.stamp, exampleHeader().stamp);
+  EXPECT_EQ(message.image.header.frame_id, "camera");
+  EXPECT_EQ(message.f, 300);
+  EXPECT_FLOAT_EQ(message.T, 0.08F);
+  EXPECT_EQ(message.max_disparity, 63);
+  const cv::Mat1f back = toDisparities(message, "d", smallCamera());
+  EXPECT_EQ(cv::countNonZero(back != frame.disparity), 0);
+}
+
+TEST(PlaneConversion, MaskIsAViewAndEveryFieldComesBack) {
+  core::PlaneRegion region;
+  region.plane = {Eigen::Vector3d(0.6, 0, -0.8), 1.25};
+  region.disparity_plane = {0.1, 0.2, 30};
+  region.inliers = 55;
+  region.hull = {{1, 2}, {30.5F, 2}, {10, 20}};
+  region.mask = cv::Mat1b(240, 320, std::uint8_t{core::kFree});
+  region.mask(3, 4) = core::kInPlane;
+  const PlaneArray message = toMessage(std::vector<core::PlaneRegion>{region}, exampleHeader());
+  EXPECT_EQ(message.planes[0].mask.encoding, "mono8");
+  EXPECT_EQ(message.planes[0].mask.header.stamp, exampleHeader().stamp);
+  const core::PlaneRegion back = fromMessage(message).at(0);
+  EXPECT_EQ(back.mask.data, message.planes[0].mask.data.data());
+  EXPECT_EQ(cv::countNonZero(back.mask != region.mask), 0);
+  EXPECT_EQ(back.plane.normal, region.plane.normal);
+  EXPECT_EQ(back.plane.offset, region.plane.offset);
+  EXPECT_EQ(back.disparity_plane.a, 0.1);
+  EXPECT_EQ(back.disparity_plane.b, 0.2);
+  EXPECT_EQ(back.disparity_plane.c, 30);
+  EXPECT_EQ(back.inliers, 55);
+  EXPECT_EQ(back.hull, region.hull);
+}
+
+TEST(PlaneConversion, MaskThatIsPartOfALargerMatrixIsPackedTightly) {
+  cv::Mat1b large(10, 20, std::uint8_t{0});
+  core::PlaneRegion region;
+  region.mask = large(cv::Rect(5, 2, 4, 3));
+  region.mask(1, 1) = core::kInPlane;
+  const Plane message = toMessage(region, exampleHeader());
+  EXPECT_EQ(message.mask.step, 4u);
+  EXPECT_EQ(message.mask.data[1 * 4 + 1], core::kInPlane);
+}
+
+TEST(PlaneConversion, NamesThePlaneWithABrokenMask) {
+  core::PlaneRegion region;
+  region.mask = cv::Mat1b(24, 32, std::uint8_t{0});
+  PlaneArray message = toMessage(std::vector<core::PlaneRegion>{region, region}, exampleHeader());
+  message.planes[1].mask.data.resize(3);
+  EXPECT_EQ(errorOf([&] { fromMessage(message); }), "planes[1]: mask: holds 3 bytes in rows of 32, too few for 32x24 pixels");
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
