@@ -4,20 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/planes/plane_region.h"
+#include "cabinet_articulation/planes/planes_config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
 namespace cabinet_articulation::core {
-
-struct PlanesConfig {
-  int seed = 1;
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("seed", self.seed, Range{0, 2147483647}, "", "seed of the random samples");
-  }
-};
 
 /// Paper III-B.1: the planes of a frame and their masks. Buffers are kept between frames; the masks returned are fresh.
 class PlaneSegmenter {

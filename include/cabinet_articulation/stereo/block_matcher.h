@@ -31,10 +31,12 @@ struct StereoConfig {
     visit("prefilter_size", self.prefilter_size, Range{5, 255}, "px", "window of the texture prefilter, odd");
     visit("prefilter_cap", self.prefilter_cap, Range{1, 63}, "", "truncation of the prefiltered gradient");
     visit("texture_threshold", self.texture_threshold, Range{0, 10000}, "", "least texture of a block");
-    visit("uniqueness_ratio", self.uniqueness_ratio, Range{0, 100}, "%", "margin of the best over the second-best match (paper, III-A: ambiguity test)");
+    visit("uniqueness_ratio", self.uniqueness_ratio, Range{0, 100}, "%",
+          "margin of the best over the second-best match (paper, III-A: ambiguity test)");
     visit("speckle_size", self.speckle_size, Range{0, 100000}, "px", "smaller isolated patches of disparity are dropped");
     visit("speckle_range", self.speckle_range, Range{0, 1000}, "px", "disparity step that separates two patches");
-    visit("recover_left_band", self.recover_left_band, "also match the leftmost columns, by padding both images (ours: StereoBM leaves disparity_range columns empty)");
+    visit("recover_left_band", self.recover_left_band,
+          "also match the leftmost columns, by padding both images (ours: StereoBM leaves disparity_range columns empty)");
   }
 };
 
@@ -45,7 +47,7 @@ class BlockMatcher {
   explicit BlockMatcher(const StereoConfig& config);
   ~BlockMatcher();
 
-  /// Left and right must have the same size and type CV_8UC1, else std::invalid_argument with both in words.
+  /// Left and right must be CV_8UC1 and of the camera's size, else std::invalid_argument with both in words.
   /// Returns CV_32FC1 disparities [px], already free of camera.cx_difference, 0 where there is no match. The result is
   /// fresh memory: it stays valid and unchanged after the next call. `left` and `right` of the frame share the inputs.
   DepthFrame process(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "cabinet_articulation/planes/planes_config.h"
+#include "cabinet_articulation/planes/region_growing.h"
+
+namespace cabinet_articulation::core {
+
+/// Masks of planes overlap, so one surface can be found twice. Of regions that share cells and agree about the plane there,
+/// only the largest stays.
+class DuplicateMerger {
+ public:
+  explicit DuplicateMerger(const PlanesConfig& config) : config_(config) {}
+
+  /// Drops duplicates and orders the rest by size, largest first. `cells` is the size of the grid.
+  void process(cv::Size cells, RegionSet* set);
+
+ private:
+  bool isDuplicate(const GrownRegion& region, const RegionSet& set);
+
+  PlanesConfig config_;
+  cv::Mat1i owner_;  ///< index of the largest region of each cell, or -1
+  std::vector<int> shared_;
+  std::vector<double> difference_;
+  std::vector<GrownRegion> kept_;
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "cabinet_articulation/geometry/plane.h"
+
+namespace cabinet_articulation::core {
+
+/// Least squares of disparity = a u + b v + c. Noise lives in the disparity alone, so this is the right distance to
+/// minimise (in 3-D the error is along the ray and grows with the square of the depth).
+class PlaneFit {
+ public:
+  void add(double u, double v, double disparity) {
+    u -= kOriginU;
+    v -= kOriginV;
+    n_ += 1;
+    u_ += u;
+    v_ += v;
+    d_ += disparity;
+    uu_ += u * u;
+    uv_ += u * v;
+    vv_ += v * v;
+    ud_ += u * disparity;
+    vd_ += v * disparity;
+  }
+
+  int count() const { return static_cast<int>(n_); }
+
+  /// Nothing for fewer than three points or points on one line.
+  std::optional<DisparityPlane> solve() const;
+
+ private:
+  // Any point inside an image keeps the sums well conditioned.
+  static constexpr double kOriginU = 320, kOriginV = 240;
+  double n_ = 0, u_ = 0, v_ = 0, d_ = 0, uu_ = 0, uv_ = 0, vv_ = 0, ud_ = 0, vd_ = 0;
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "cabinet_articulation/geometry/plane.h"
+#include "cabinet_articulation/planes/planes_config.h"
+#include "cabinet_articulation/stereo/depth_frame.h"
+
+namespace cabinet_articulation::core {
+
+/// Regions live on a grid of cells of 2x2 pixels; a cell is judged by its upper left pixel. A quarter of the pixels is
+/// plenty, because block matching makes neighbours nearly equal.
+constexpr int kCell = 2;  ///< [px]
+
+/// Cells begin..end-1 of one row.
+struct CellRun {
+  int row = 0, begin = 0, end = 0;
+};
+
+/// A connected set of cells near one plane, as the runs [first_run, last_run) of its RegionSet.
+struct GrownRegion {
+  DisparityPlane plane;
+  int first_run = 0, last_run = 0;
+  int cells = 0;
+};
+
+struct RegionSet {
+  std::vector<GrownRegion> regions;
+  std::vector<CellRun> runs;
+};
+
+/// Splits infinite planes into connected regions, each with a plane of its own (ours: a small front that shares its plane
+/// with half the kitchen is fitted by its own pixels only).
+class RegionGrowing {
+ public:
+  explicit RegionGrowing(const PlanesConfig& config);
+
+  /// Regions of at least `min_region` pixels, in the order of the planes. Valid until the next call.
+  RegionSet& process(const DepthFrame& frame, const std::vector<DisparityPlane>& planes);
+
+ private:
+  void shrinkDisparity(const cv::Mat1f& disparity);
+  void markInPlane(const DisparityPlane& plane, const StereoCamera& camera);
+  void collectRuns(const cv::Rect& box, int label, GrownRegion* region);
+  void fitPlane(GrownRegion* region) const;
+
+  PlanesConfig config_;
+  RegionSet set_;
+  cv::Mat1f disparity_;  ///< one value for each cell
+  cv::Mat1b in_plane_, core_;
+  cv::Mat1i labels_, stats_;
+  cv::Mat1d centroids_;
+};
+
+}  // namespace cabinet_articulation::core

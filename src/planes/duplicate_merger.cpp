@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/planes/duplicate_merger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+
+void DuplicateMerger::process(cv::Size cells, RegionSet* set) {
+  std::stable_sort(set->regions.begin(), set->regions.end(),
+                   [](const GrownRegion& a, const GrownRegion& b) { return a.cells > b.cells; });
+  owner_.create(cells);
+  owner_.setTo(-1);
+  kept_.clear();
+  for (const GrownRegion& region : set->regions) {
+    if (isDuplicate(region, *set)) continue;
+    const int index = static_cast<int>(kept_.size());
+    for (int i = region.first_run; i < region.last_run; ++i) {
+      const CellRun& run = set->runs[i];
+      for (int col = run.begin; col < run.end; ++col)
+        if (owner_(run.row, col) < 0) owner_(run.row, col) = index;
+    }
+    kept_.push_back(region);
+  }
+  set->regions = kept_;
+}
+
+bool DuplicateMerger::isDuplicate(const GrownRegion& region, const RegionSet& set) {
+  shared_.assign(kept_.size(), 0);
+  difference_.assign(kept_.size(), 0);
+  for (int i = region.first_run; i < region.last_run; ++i) {
+    const CellRun& run = set.runs[i];
+    const double v = run.row * kCell;
+    for (int col = run.begin; col < run.end; ++col) {
+      const int owner = owner_(run.row, col);
+      if (owner < 0) continue;
+      ++shared_[owner];
+      difference_[owner] += std::abs(kept_[owner].plane.at(col * kCell, v) - region.plane.at(col * kCell, v));
+    }
+  }
+  for (size_t k = 0; k < kept_.size(); ++k)
+    if (shared_[k] >= config_.duplicate_overlap * region.cells && difference_[k] <= config_.region_tolerance_px * shared_[k])
+      return true;
+  return false;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/planes/plane_fit.h"
+
+namespace cabinet_articulation::core {
+namespace {
+constexpr double kCollinear = 1e-9;  ///< smaller shares of the points' spread are rounding
+}
+
+std::optional<DisparityPlane> PlaneFit::solve() const {
+  if (n_ < 3) return std::nullopt;
+  const double mean_u = u_ / n_, mean_v = v_ / n_, mean_d = d_ / n_;
+  const double uu = uu_ - u_ * mean_u, uv = uv_ - u_ * mean_v, vv = vv_ - v_ * mean_v;
+  const double ud = ud_ - u_ * mean_d, vd = vd_ - v_ * mean_d;
+  const double determinant = uu * vv - uv * uv;
+  if (!(determinant > kCollinear * (uu + vv) * (uu + vv))) return std::nullopt;
+  DisparityPlane plane;
+  plane.a = (ud * vv - vd * uv) / determinant;
+  plane.b = (vd * uu - ud * uv) / determinant;
+  plane.c = mean_d - plane.a * (mean_u + kOriginU) - plane.b * (mean_v + kOriginV);
+  return plane;
+}
+
+}  // namespace cabinet_articulation::core

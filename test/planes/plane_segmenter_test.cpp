@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/planes/plane_segmenter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cabinet_articulation/stereo/block_matcher.h"
+#include "stereo/synthetic_pair.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// A wall, a door ajar and a drawer front that stands out.
+const std::vector<Patch> kScene = {{{0.002, 0.003, 33}, {-100, -100, 900, 700}},
+                                   {{0.05, 0.001, 30}, {100, 50, 200, 300}},
+                                   {{0.001, -0.02, 50}, {400, 200, 120, 50}}};
+
+const SyntheticPair& pair() {
+  static const SyntheticPair instance({640, 480}, kScene);
+  return instance;
+}
+
+DepthFrame exactFrame() {
+  DepthFrame frame;
+  frame.camera = testCamera();
+  frame.disparity = pair().disparity.clone();
+  return frame;
+}
+
+DepthFrame stereoFrame() { return BlockMatcher(StereoConfig()).process(pair().left, pair().right, testCamera()); }
+
+double normalError(const PlaneRegion& region, const Patch& patch) {
+  return std::acos(std::min(1.0, region.plane.normal.dot(toPlane(patch.plane, testCamera())->normal))) * 180 / M_PI;
+}
+
+/// The region whose hull holds the middle of the patch and whose plane is nearest there.
+const PlaneRegion* regionOf(const std::vector<PlaneRegion>& regions, const Patch& patch) {
+  const double u = patch.area.x + patch.area.width / 2, v = patch.area.y + patch.area.height / 2;
+  const PlaneRegion* best = nullptr;
+  for (const PlaneRegion& region : regions)
+    if (!best || std::abs(region.disparity_plane.at(u, v) - patch.plane.at(u, v)) <
+                     std::abs(best->disparity_plane.at(u, v) - patch.plane.at(u, v)))
+      best = &region;
+  return best;
+}
+
+TEST(PlaneSegmenter, FindsEverySurfaceOnce) {
+  const auto regions = PlaneSegmenter(PlanesConfig()).process(exactFrame());
+  ASSERT_EQ(regions.size(), 3U);
+  for (const Patch& patch : kScene) {
+    const PlaneRegion* region = regionOf(regions, patch);
+    EXPECT_LT(normalError(*region, patch), 0.01);
+  }
+  EXPECT_NEAR(regionOf(regions, kScene[2])->inliers, 120 * 50, 120 * 50 * 0.15) << "eroded by 2 px on every side";
+}
+
+TEST(PlaneSegmenter, LabelsPixelsInFrontInAndBehind) {
+  DepthFrame frame = exactFrame();
+  frame.disparity(cv::Rect(0, 0, 50, 50)) = 0;
+  const auto regions = PlaneSegmenter(PlanesConfig()).process(frame);
+  const PlaneRegion* door = regionOf(regions, kScene[1]);
+  const PlaneRegion* wall = regionOf(regions, kScene[0]);
+  EXPECT_EQ(door->mask(200, 200), kInPlane);
+  EXPECT_EQ(door->mask(200, 600), kFree) << "the wall is behind the door's plane there";
+  EXPECT_EQ(wall->mask(200, 600), kInPlane);
+  EXPECT_EQ(wall->mask(220, 450), kOccluded) << "the drawer stands before the wall";
+  EXPECT_EQ(wall->mask(10, 10), kUnknown);
+  EXPECT_EQ(door->mask.size(), frame.disparity.size());
+}
+
+TEST(PlaneSegmenter, StereoPairIsRefinedOnTheImages) {
+  const DepthFrame frame = stereoFrame();
+  const auto refined = PlaneSegmenter(PlanesConfig()).process(frame);
+  PlanesConfig config;
+  config.refine = false;
+  const auto rough = PlaneSegmenter(config).process(frame);
+  for (const Patch& patch : kScene) EXPECT_LT(normalError(*regionOf(refined, patch), patch), 0.4);
+  EXPECT_LT(normalError(*regionOf(refined, kScene[2]), kScene[2]), normalError(*regionOf(rough, kScene[2]), kScene[2]));
+}
+
+TEST(PlaneSegmenter, TheSameFrameGivesTheSameBytesWhateverCameBefore) {
+  const DepthFrame frame = stereoFrame(), other = exactFrame();
+  PlaneSegmenter segmenter{PlanesConfig()};
+  cv::setNumThreads(1);
+  const auto first = segmenter.process(frame);
+  segmenter.process(other);
+  cv::setNumThreads(4);
+  const auto again = segmenter.process(frame);
+  ASSERT_EQ(first.size(), again.size());
+  for (size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].plane.normal, again[i].plane.normal);
+    EXPECT_EQ(first[i].plane.offset, again[i].plane.offset);
+    EXPECT_EQ(first[i].inliers, again[i].inliers);
+    EXPECT_EQ(first[i].hull, again[i].hull);
+    EXPECT_EQ(cv::norm(first[i].mask, again[i].mask, cv::NORM_INF), 0);
+    EXPECT_NE(first[i].mask.data, again[i].mask.data) << "masks are fresh memory";
+  }
+}
+
+TEST(PlaneSegmenter, WithoutDepthThereAreNoRegions) {
+  DepthFrame frame;
+  frame.camera = testCamera();
+  PlaneSegmenter segmenter{PlanesConfig()};
+  EXPECT_TRUE(segmenter.process(frame).empty());
+  for (const float value : {0.0F, -3.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    frame.disparity = cv::Mat1f(480, 640, value);
+    EXPECT_TRUE(segmenter.process(frame).empty()) << value;
+  }
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
