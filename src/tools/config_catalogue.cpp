@@ -4,7 +4,7 @@
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 template <class Config>
@@ -27,4 +27,4 @@ const std::vector<ConfigFile>& configCatalogue() {
   return catalogue;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

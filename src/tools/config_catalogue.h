@@ -6,7 +6,7 @@
 
 #include "cabinet_articulation/config/config.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// One file of config/: its name without ".yaml", what it must contain, and the same as fields for the documentation.
 struct ConfigFile {
@@ -18,4 +18,4 @@ struct ConfigFile {
 /// Every configuration of the package, in the order of the pipeline.
 const std::vector<ConfigFile>& configCatalogue();
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

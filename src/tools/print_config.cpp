@@ -5,7 +5,7 @@
 #include "config_catalogue.h"
 
 int main(int argc, char** argv) {
-  using namespace cabinet_articulation;
+  using namespace cabinet_articulation::core;
   const auto& catalogue = configCatalogue();
   if (argc == 2) {
     for (const ConfigFile& file : catalogue) {

@@ -6,7 +6,7 @@
 
 #include "../../src/tools/config_catalogue.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 class ConfigFiles : public testing::TestWithParam<ConfigFile> {};
@@ -29,4 +29,4 @@ INSTANTIATE_TEST_SUITE_P(Stages, ConfigFiles, testing::ValuesIn(configCatalogue(
                          [](const auto& info) { return info.param.stage; });
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core
