@@ -3,41 +3,51 @@
 
 #include <vector>
 
-#include "cabinet_articulation/config/config.h"
+#include "cabinet_articulation/tracking/front_size.h"
 #include "cabinet_articulation/tracking/track.h"
+#include "cabinet_articulation/tracking/tracking_config.h"
 
 namespace cabinet_articulation::core {
 
-struct TrackingConfig {
-  double timeout = 20;  ///< [s] original release
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("timeout", self.timeout, Range{0.1, 1e6}, "s", "a track that was not seen for this long ends (original release: 20)");
-  }
-};
-
-/// Paper III-C: joins the rectangles of successive frames into tracks.
+/// Paper III-C: joins the rectangles of successive frames into tracks, one per physical front.
+///
+/// A frame's rectangles are assigned as a whole (least total distance), each in that one of its eight descriptions that
+/// continues the track. Size and place come from observed edges only. A front that disappears (closed fronts are
+/// coplanar with their neighbours and cannot be seen) keeps its track for `timeout`, and gets it back where it was last
+/// seen, where a pull or a swing can have brought it meanwhile, or anywhere along the track's history.
 class RectangleTracker {
  public:
+  /// Throws ConfigError.
   explicit RectangleTracker(const TrackingConfig& config);
 
   /// One frame: rectangles in the fixed frame, seen at `stamp` [s]. Returns the live tracks, ordered by id; the
   /// reference is valid until the next call. A stamp that is not newer than the last frame's is ignored (the tracks are
-  /// returned unchanged); a clock that jumped back is the caller's business: see reset().
+  /// returned unchanged); a clock that jumped back is the caller's business: see reset(). Rectangles with NaN, without
+  /// area or with a pose that is no rotation are ignored.
   const std::vector<Track>& process(double stamp, const std::vector<DetectedRectangle>& rectangles);
 
   const std::vector<Track>& tracks() const { return tracks_; }
 
-  /// Where each live track is expected now, for the detector's track-guided fit.
-  std::vector<Rectangle> expected() const;
+  /// Where the confirmed tracks are expected at `stamp`, for the detector's track-guided fit. Without a stamp: where
+  /// they were last seen.
+  std::vector<Rectangle> expected(double stamp) const;
+  std::vector<Rectangle> expected() const { return expected(last_stamp_); }
 
   /// Forgets all tracks; ids go on counting, so that an id never means two fronts.
   void reset();
 
  private:
+  bool isConfirmed(const Track& track) const;
+  void endTracks(double stamp);
+  std::vector<int> assignRectangles(double stamp, const std::vector<DetectedRectangle>& rectangles) const;
+  void append(double stamp, const DetectedRectangle& rectangle, Track& track, FrontSize& size);
+  void startTracks(double stamp, const std::vector<DetectedRectangle>& rectangles, const std::vector<int>& track_of);
+
   TrackingConfig config_;
   std::vector<Track> tracks_;
+  std::vector<FrontSize> sizes_;  ///< parallel to tracks_
+  double last_stamp_;
+  std::uint32_t next_id_ = 0;
 };
 
 }  // namespace cabinet_articulation::core

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cabinet_articulation/config/config.h"
+
+namespace cabinet_articulation {
+
+struct TrackingConfig {
+  double timeout = 20;
+  double tentative_timeout = 1;
+  int confirmed_after = 3;
+  double position_tolerance = 0.08;
+  double angle_tolerance = 0.39;
+  double twist_tolerance = 0.25;
+  double size_tolerance = 0.04;
+  double first_size_sigma = 0.05;
+  double max_speed = 1;
+  double max_turn_rate = 3;
+  double prediction_horizon = 0.3;
+  double min_edge_support = 0.5;
+  int max_observations = 1000;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("timeout", self.timeout, Range{0.1, 1e6}, "s", "a track that was not seen for this long ends (original release: 20)");
+    visit("tentative_timeout", self.tentative_timeout, Range{0, 1e6}, "s",
+          "the same for a track that is not confirmed yet (ours: clutter flickers)");
+    visit("confirmed_after", self.confirmed_after, Range{1, 1000}, "", "observations that confirm a track");
+    visit("position_tolerance", self.position_tolerance, Range{0.001, 10}, "m",
+          "jump along the front's plane that still is the same front (original release: 0.20 in every direction)");
+    visit("angle_tolerance", self.angle_tolerance, Range{0.01, 3.2}, "rad",
+          "jump of the normal that still is the same front (original release: pi / 8)");
+    visit("twist_tolerance", self.twist_tolerance, Range{0.01, 0.7}, "rad",
+          "turn about the normal that still is the same front (ours: fronts do not turn that way)");
+    visit("size_tolerance", self.size_tolerance, Range{0.001, 10}, "m",
+          "deviation from the track's size, beside that size's own uncertainty (original release: 0.03 to 0.05)");
+    visit("first_size_sigma", self.first_size_sigma, Range{0.001, 10}, "m",
+          "uncertainty of a size seen once; barely open doors appear 0.03 to 0.12 too wide (ours, measured)");
+    visit("max_speed", self.max_speed, Range{0.01, 100}, "m/s", "fastest pull along the normal while a front is not seen");
+    visit("max_turn_rate", self.max_turn_rate, Range{0.01, 100}, "rad/s", "fastest swing of a door while it is not seen");
+    visit("prediction_horizon", self.prediction_horizon, Range{0, 10}, "s",
+          "a motion is extrapolated for this long at constant velocity");
+    visit("min_edge_support", self.min_edge_support, Range{0, 1}, "", "observed share from which on an edge places the front");
+    visit("max_observations", self.max_observations, Range{16, 1000000}, "",
+          "a longer history is thinned out where the front moved least");
+  }
+};
+
+}  // namespace cabinet_articulation

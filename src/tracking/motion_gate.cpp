@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/tracking/motion_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation {
+namespace {
+
+constexpr double kLargestShift = 0.4;  ///< of a side: an equal neighbour is at least one side away
+constexpr double kLongestPull = 0.7;   ///< [m] drawers come out no farther
+constexpr double kWidestSwing = 1.8;   ///< [rad] beyond this the back cannot be told from the front
+
+bool within(const Eigen::Vector3d& shift, const Eigen::Vector3d& limits) {
+  return (shift.cwiseAbs().array() <= limits.array()).all();
+}
+
+}  // namespace
+
+bool isPossibleMotion(const Rectangle& from, const Rectangle& to, double seconds, const TrackingConfig& config) {
+  // Everything in the axes of the front where it was.
+  const Eigen::Matrix3d turn = from.pose.linear().transpose() * to.pose.linear();
+  const Eigen::Vector3d shift = from.pose.linear().transpose() * (to.center() - from.center());
+  const double twist = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+  if (std::abs(twist) > config.twist_tolerance) return false;
+  const double tilt = std::acos(std::clamp(turn(2, 2), -1.0, 1.0));
+  if (tilt > std::min(config.angle_tolerance + config.max_turn_rate * seconds, kWidestSwing)) return false;
+
+  const double tolerance = config.position_tolerance;
+  Eigen::Vector3d limits(std::min(tolerance, kLargestShift * from.width), std::min(tolerance, kLargestShift * from.height),
+                         tolerance);
+  const Eigen::Vector3d edges[] = {
+      {from.width / 2, 0, 0}, {-from.width / 2, 0, 0}, {0, from.height / 2, 0}, {0, -from.height / 2, 0}};
+  for (const Eigen::Vector3d& edge : edges)
+    if (within(shift + turn * edge - edge, limits)) return true;
+  if (tilt > config.angle_tolerance) return false;
+  limits.z() = std::min(tolerance + config.max_speed * seconds, kLongestPull);
+  return within(shift, limits);
+}
+
+double cornerDistance(const Rectangle& a, const Rectangle& b) {
+  const auto corners_a = a.corners();
+  const auto corners_b = b.corners();
+  double sum = 0;
+  for (int i = 0; i < 4; ++i) sum += (corners_a[i] - corners_b[i]).squaredNorm();
+  return std::sqrt(sum / 4);
+}
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/tracking/rectangle_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "cabinet_articulation/tracking/motion_gate.h"
+#include "tracking/synthetic_fronts.h"
+
+namespace cabinet_articulation {
+namespace {
+
+constexpr double kFrame = 1.0 / 15;
+
+/// A smooth opening and closing within `period` [s]: 0 at the ends, 1 in the middle.
+double opening(double t, double period) { return 0.5 - 0.5 * std::cos(2 * M_PI * t / period); }
+
+/// Largest distance of the corners of a track's rectangles from the truth, in one description for the whole track.
+double largestError(const Track& track, const std::function<Rectangle(double)>& truth) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDescriptions; ++k) {
+    double worst = 0;
+    for (const TrackedObservation& observation : track.observations)
+      worst = std::max(worst, cornerDistance(observation.rectangle, describe(truth(observation.stamp), k)));
+    best = std::min(best, worst);
+  }
+  return best;
+}
+
+TEST(RectangleTracker, ADoorNeverFlipsUpTo100DegreesWhateverItsDescriptions) {
+  const auto door = [](double t) { return swung(closedFront(), 1.75 * opening(t, 4)); };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    NoisyDetector detect(seed);
+    RectangleTracker tracker({});
+    for (int i = 1; i <= 120; ++i) tracker.process(i * kFrame, {detect(door(i * kFrame))});
+    ASSERT_EQ(tracker.tracks().size(), 1u) << seed;
+    const Track& track = tracker.tracks()[0];
+    EXPECT_EQ(track.observations.size(), 120u);
+    EXPECT_LT(largestError(track, door), 0.02) << "four sigma of the detector, all channels together";
+    EXPECT_NEAR(std::min(track.width, track.height), 0.395, 0.002) << "4 mm / sqrt(120), and the median's loss";
+    EXPECT_NEAR(std::max(track.width, track.height), 0.58, 0.002);
+  }
+}
+
+TEST(RectangleTracker, ASquareDoorDoesNotFlipEither) {
+  const auto door = [](double t) { return swung(closedFront(0, 0.4, 0.4), 1.75 * opening(t, 4)); };
+  NoisyDetector detect(3);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 60; ++i) tracker.process(i * kFrame, {detect(door(i * kFrame))});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_LT(largestError(tracker.tracks()[0], door), 0.02);
+}
+
+TEST(RectangleTracker, ADrawerKeepsItsIdThroughGapsAndAFastReclosing) {
+  // Pulled out 35 cm in half a second and pushed back, seen only now and then, with gaps of a second.
+  const auto drawer = [](double t) { return pulled(closedFront(0, 0.395, 0.125), 0.35 * opening(t, 1)); };
+  NoisyDetector detect(7);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 150; ++i) {
+    const bool hidden = (i % 40) < 15 || i % 3 == 0;
+    tracker.process(i * kFrame,
+                    hidden ? std::vector<DetectedRectangle>{} : std::vector<DetectedRectangle>{detect(drawer(i * kFrame))});
+  }
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 0u);
+  EXPECT_LT(largestError(tracker.tracks()[0], drawer), 0.02);
+}
+
+TEST(RectangleTracker, ADoorSwungOpenBehindAHandIsTheSameDoor) {
+  NoisyDetector detect(8);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect(swung(closedFront(), 0.02 * i))});
+  tracker.process(5 * kFrame + 1, {detect(swung(closedFront(), 1.4))});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 6u);
+}
+
+TEST(RectangleTracker, NeighboursOfEqualSizeKeepTheirIds) {
+  // Two doors side by side; one moves, then the other, each invisible while closed.
+  const double width = closedFront().width;
+  NoisyDetector detect(11);
+  RectangleTracker tracker({});
+  std::vector<std::uint32_t> ids[2];
+  for (int i = 1; i <= 300; ++i) {
+    const double t = i * kFrame;
+    const double q[] = {1.5 * opening(std::fmod(t, 10), 5) * (std::fmod(t, 10) < 5),
+                        1.5 * opening(std::fmod(t, 10) - 5, 5) * (std::fmod(t, 10) > 5)};
+    std::vector<DetectedRectangle> seen;
+    for (int k = 0; k < 2; ++k)
+      if (q[k] > 0.08) seen.push_back(detect(swung(closedFront(k * width), q[k])));
+    tracker.process(t, seen);
+    for (int k = 0; k < 2; ++k)
+      for (const Track& track : tracker.tracks())
+        if (q[k] > 0.08 &&
+            cornerDistance(alignDescription(track.observations.back().rectangle, swung(closedFront(k * width), q[k]), true),
+                           swung(closedFront(k * width), q[k])) < 0.03 &&
+            track.observations.back().stamp == t)
+          ids[k].push_back(track.id);
+  }
+  for (int k = 0; k < 2; ++k) {
+    ASSERT_GT(ids[k].size(), 100u);
+    EXPECT_EQ(*std::min_element(ids[k].begin(), ids[k].end()), *std::max_element(ids[k].begin(), ids[k].end())) << k;
+  }
+  EXPECT_NE(ids[0][0], ids[1][0]);
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+}
+
+TEST(RectangleTracker, AnOccluderAcrossAnEdgeIsNoMotion) {
+  const Rectangle front = closedFront();
+  NoisyDetector detect(13);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 60; ++i) {
+    DetectedRectangle detection = alignDescription(detect(front), front);
+    // A hand goes over the lower edge and hides up to half of the front; near its way the right edge slides, too.
+    if (i > 15 && i < 45) detection = withHiddenEdge(detection, kEdgeMinusY, 0.3 * opening(i - 15, 30));
+    if (i > 20 && i < 30) detection = withHiddenEdge(detection, kEdgePlusX, -0.1);
+    tracker.process(i * kFrame, {describe(detection, i % 4)});
+  }
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 59u + 1);
+  EXPECT_LT(largestError(tracker.tracks()[0], [&](double) { return front; }), 0.02);
+}
+
+TEST(RectangleTracker, AnOpeningDoorThatLooksTooWideIsPlacedAnew) {
+  // While hardly open the hinge edge is not seen and the door appears up to 12 cm wider.
+  const auto door = [](double t) { return swung(closedFront(), 0.04 + 0.3 * t); };
+  NoisyDetector detect(17);
+  RectangleTracker tracker({});
+  for (int i = 0; i < 45; ++i) {
+    const double t = i * kFrame;
+    DetectedRectangle detection = alignDescription(detect(door(t)), door(t));
+    if (i < 6) detection = withHiddenEdge(detection, kEdgeMinusX, -0.02 * (6 - i));
+    tracker.process(t, {detection});
+  }
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 45u);
+  EXPECT_GT(tracker.tracks()[0].revision, 0u);
+  EXPECT_LT(largestError(tracker.tracks()[0], door), 0.02) << "also the first ones, once the size is known";
+}
+
+TEST(RectangleTracker, SizeIsDefinedWhenEdgesAreNeverObserved) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(19);
+  for (int i = 1; i <= 20; ++i) {
+    DetectedRectangle detection = detect(closedFront());
+    detection.edge_support = {0, 0, 0, 0};
+    tracker.process(i * kFrame, {detection});
+  }
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_NEAR(std::min(tracker.tracks()[0].width, tracker.tracks()[0].height), 0.395, 0.005);
+}
+
+TEST(RectangleTracker, TwoRectanglesOfOneFrontDoNotForkItsTrack) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(23);
+  for (int i = 1; i <= 30; ++i) {
+    const Rectangle door = swung(closedFront(), 0.03 * i);
+    std::vector<DetectedRectangle> seen{detect(door), detect(door)};
+    if (i % 3 == 0) seen.push_back(withHiddenEdge(detect(door), kEdgePlusY, 0.25));
+    std::rotate(seen.begin(), seen.begin() + i % seen.size(), seen.end());
+    tracker.process(i * kFrame, seen);
+    ASSERT_EQ(tracker.tracks().size(), 1u) << i;
+  }
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 30u);
+}
+
+TEST(RectangleTracker, ClutterEndsFastAndFrontsAfterTheTimeout) {
+  TrackingConfig config;
+  RectangleTracker tracker(config);
+  NoisyDetector detect(29);
+  tracker.process(0, {detect(closedFront()), detect(closedFront(1))});
+  for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect(closedFront())});
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+  EXPECT_EQ(tracker.expected().size(), 1u) << "only the confirmed one";
+  tracker.process(1.5, {});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 0u);
+  tracker.process(20.3, {});
+  EXPECT_EQ(tracker.tracks().size(), 1u);
+  tracker.process(20.4, {detect(closedFront())});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 2u) << "an id is never used twice";
+  tracker.reset();
+  tracker.process(0, {detect(closedFront())});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 3u);
+}
+
+TEST(RectangleTracker, AJumpOfAMetreIsAnotherFront) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(31);
+  for (int i = 1; i <= 10; ++i) tracker.process(i * kFrame, {detect(closedFront(i == 6 ? 1 : 0))});
+  ASSERT_EQ(tracker.tracks().size(), 2u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 9u);
+}
+
+TEST(RectangleTracker, FlickeringClutterDoesNotDisturbAFront) {
+  const auto drawer = [](double t) { return pulled(closedFront(0, 0.395, 0.125), 0.3 * opening(t, 4)); };
+  NoisyDetector detect(37);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 60; ++i) {
+    std::vector<DetectedRectangle> seen;
+    for (int k = 0; k < 6; ++k) {
+      Rectangle clutter = closedFront(detect.noise(0.5), 0.2 + std::abs(detect.noise(0.3)), 0.1 + std::abs(detect.noise(0.3)));
+      clutter.pose.translation() += Eigen::Vector3d(0, detect.noise(0.3), 0.2 + std::abs(detect.noise(0.3)));
+      clutter.pose.rotate(Eigen::AngleAxisd(detect.noise(0.5), Eigen::Vector3d::UnitX()));
+      seen.push_back(detect(clutter));
+    }
+    seen.push_back(detect(drawer(i * kFrame)));
+    tracker.process(i * kFrame, seen);
+  }
+  const auto longest = std::max_element(tracker.tracks().begin(), tracker.tracks().end(), [](const Track& a, const Track& b) {
+    return a.observations.size() < b.observations.size();
+  });
+  EXPECT_GE(longest->observations.size(), 58u);
+  EXPECT_LT(largestError(*longest, drawer), 0.02);
+}
+
+TEST(RectangleTracker, OldAndBadStampsChangeNothing) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(41);
+  tracker.process(1, {detect(closedFront())});
+  for (double stamp : {1.0, 0.5, std::nan(""), std::numeric_limits<double>::infinity()})
+    tracker.process(stamp, {detect(closedFront())});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 1u);
+  tracker.process(1.1, {detect(closedFront())});
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 2u);
+}
+
+TEST(RectangleTracker, BadRectanglesAreIgnored) {
+  NoisyDetector detect(43);
+  const double nan = std::nan("");
+  std::vector<DetectedRectangle> bad(6, detect(closedFront()));
+  bad[0].rectangle.pose.translation().x() = nan;
+  bad[1].rectangle.pose.linear()(1, 1) = std::numeric_limits<double>::infinity();
+  bad[2].rectangle.width = nan;
+  bad[3].rectangle.height = 0;
+  bad[4].rectangle.pose.linear() *= 2;
+  bad[5].covariance(3, 3) = nan;
+  RectangleTracker tracker({});
+  EXPECT_TRUE(tracker.process(1, bad).empty());
+  bad.push_back(detect(closedFront()));
+  EXPECT_EQ(tracker.process(2, bad).size(), 1u);
+}
+
+TEST(RectangleTracker, NoRectanglesAreFine) {
+  RectangleTracker tracker({});
+  EXPECT_TRUE(tracker.process(1, {}).empty());
+  EXPECT_TRUE(tracker.expected().empty());
+}
+
+TEST(RectangleTracker, HoursOfVideoStayBounded) {
+  TrackingConfig config;
+  config.max_observations = 64;
+  RectangleTracker tracker(config);
+  NoisyDetector detect(47);
+  const auto drawer = [](double t) { return pulled(closedFront(0, 0.395, 0.125), t < 2 ? 0.3 * opening(t, 4) : 0.3); };
+  for (int i = 1; i <= 3000; ++i) tracker.process(i * kFrame, {detect(drawer(i * kFrame))});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_LE(tracker.tracks()[0].observations.size(), 64u);
+  double least = 1;
+  for (const TrackedObservation& observation : tracker.tracks()[0].observations)
+    least = std::min(least, (observation.rectangle.center() - pulled(closedFront(0, 0.395, 0.125), 0).center()).norm());
+  EXPECT_LT(least, 0.1) << "the opening is still known";
+}
+
+TEST(RectangleTracker, RefusesBadSettings) {
+  TrackingConfig config;
+  config.timeout = -1;
+  EXPECT_THROW(RectangleTracker{config}, ConfigError);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
