@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFree = -1;
@@ -63,4 +63,4 @@ std::vector<int> assignRows(const Eigen::MatrixXd& cost, double alone) {
   return column_of;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

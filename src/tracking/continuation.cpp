@@ -5,7 +5,7 @@
 #include "cabinet_articulation/tracking/motion_gate.h"
 #include "cabinet_articulation/tracking/placement.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 std::optional<Continuation> continueFrom(const Rectangle& reference, double seconds, const DetectedRectangle& detection,
@@ -35,4 +35,4 @@ std::optional<Continuation> findContinuation(const Track& track, const FrontSize
   return best;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

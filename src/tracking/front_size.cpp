@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 /// Share of an axis that was observed: the product of its edges', or nothing if one of them was not.
@@ -44,4 +44,4 @@ bool FrontSize::fits(const DetectedRectangle& detection, const TrackingConfig& c
   return true;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -5,7 +5,7 @@
 
 #include "cabinet_articulation/tracking/motion_gate.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 constexpr double kVelocityBase = 0.1;  ///< [s] long enough that noise of millimetres gives centimetres a second
 constexpr double kLongestBase = 0.5;   ///< [s] an older observation says nothing about the velocity now
@@ -50,4 +50,4 @@ bool thinOut(std::vector<TrackedObservation>& history, int limit) {
   return true;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 constexpr double kBin = 1e-4;          ///< [m]
 constexpr double kLongest = 10;        ///< [m] bounds the number of bins
@@ -27,4 +27,4 @@ double LengthEstimate::quantile(double share) const {
   return histogram_.empty() ? 0 : (histogram_.rbegin()->first + 1) * kBin;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

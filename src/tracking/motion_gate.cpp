@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kLargestShift = 0.4;  ///< of a side: an equal neighbour is at least one side away
@@ -46,4 +46,4 @@ double cornerDistance(const Rectangle& a, const Rectangle& b) {
   return std::sqrt(sum / 4);
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

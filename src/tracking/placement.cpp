@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kAgreement = 0.015;   ///< [m] two observed edges may miss the front's size by this much (90 % of edges: 12 mm)
@@ -78,4 +78,4 @@ DetectedRectangle placeOnObservedEdges(const DetectedRectangle& detection, const
   return placed;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

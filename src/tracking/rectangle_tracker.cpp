@@ -11,7 +11,7 @@
 #include "cabinet_articulation/tracking/history.h"
 #include "cabinet_articulation/tracking/placement.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kNone = -1;
@@ -160,4 +160,4 @@ void RectangleTracker::startTracks(double stamp, const std::vector<DetectedRecta
   }
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -64,4 +64,4 @@ TEST(Assignment, EmptyInEitherDirection) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

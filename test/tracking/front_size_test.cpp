@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 DetectedRectangle sized(double width, double height, std::array<float, 4> support = {1, 1, 1, 1}) {
@@ -66,4 +66,4 @@ TEST(FrontSize, AnUnobservedEdgeDoesNotBreakTheGate) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

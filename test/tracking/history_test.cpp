@@ -6,7 +6,7 @@
 #include "cabinet_articulation/tracking/motion_gate.h"
 #include "tracking/synthetic_fronts.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kFrame = 1.0 / 15;
@@ -63,4 +63,4 @@ TEST(ThinOut, ForgetsStandingStillAndKeepsTheMotion) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -7,7 +7,7 @@
 
 #include "tracking/synthetic_fronts.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 const TrackingConfig config;
@@ -55,4 +55,4 @@ TEST(CornerDistance, OfAShiftAndOfATurn) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

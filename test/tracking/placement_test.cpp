@@ -5,7 +5,7 @@
 
 #include "tracking/synthetic_fronts.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kMinSupport = 0.5;
@@ -91,4 +91,4 @@ TEST(Placement, NormalDirectionOfTheCovarianceIsKept) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

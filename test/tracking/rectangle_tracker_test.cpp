@@ -11,7 +11,7 @@
 #include "cabinet_articulation/tracking/motion_gate.h"
 #include "tracking/synthetic_fronts.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kFrame = 1.0 / 15;
@@ -276,4 +276,4 @@ TEST(RectangleTracker, RefusesBadSettings) {
 }
 
 }  // namespace
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -6,7 +6,7 @@
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/tracking/placement.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// A front seen straight on from 1.5 m: x right, y down, its normal towards the camera.
 inline Rectangle closedFront(double x = 0, double width = 0.395, double height = 0.58) {
@@ -65,4 +65,4 @@ inline DetectedRectangle withHiddenEdge(DetectedRectangle detection, Edge edge, 
   return detection;
 }
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -7,7 +7,7 @@
 #include "cabinet_articulation/tracking/track.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// A detection seen as the next observation of a track.
 struct Continuation {
@@ -21,4 +21,4 @@ struct Continuation {
 std::optional<Continuation> findContinuation(const Track& track, const FrontSize& size, const DetectedRectangle& detection,
                                              double stamp, const TrackingConfig& config);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

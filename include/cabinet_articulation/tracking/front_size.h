@@ -7,7 +7,7 @@
 #include "cabinet_articulation/tracking/length_estimate.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// Width and height of one front, estimated over its whole track. All detections in the track's corner choice.
 class FrontSize {
@@ -27,4 +27,4 @@ class FrontSize {
   LengthEstimate lengths_[2];
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -5,7 +5,7 @@
 
 #include "cabinet_articulation/tracking/track.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// Where a front will be at `stamp` if it keeps its velocity (that of its last tenth of a second) for at most `horizon` [s].
 Rectangle extrapolate(const std::vector<TrackedObservation>& history, double stamp, double horizon);
@@ -18,4 +18,4 @@ const TrackedObservation& nearestObservation(const std::vector<TrackedObservatio
 /// that moves, and its motions stay. Rare by construction (every limit / 4 observations). Returns whether it dropped any.
 bool thinOut(std::vector<TrackedObservation>& history, int limit);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -3,7 +3,7 @@
 
 #include <map>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// The weighted median of any number of lengths, in bounded memory (a histogram of tenths of a millimetre).
 /// Ours: one wrong frame in three does not move it, and it is defined as soon as there is one length of any weight.
@@ -28,4 +28,4 @@ class LengthEstimate {
   double weight_ = 0;
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

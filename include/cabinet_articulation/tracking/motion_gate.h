@@ -4,7 +4,7 @@
 #include "cabinet_articulation/geometry/rectangle.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// Can one front move between two places (same size and corner choice) in this time? Yes if it comes out along its
 /// normal (a drawer) or swings about one of its edges (a door), as far as speeds allow, within the tolerances along its
@@ -15,4 +15,4 @@ bool isPossibleMotion(const Rectangle& from, const Rectangle& to, double seconds
 /// Root mean square distance of corresponding corners [m]: position, orientation and size in one number.
 double cornerDistance(const Rectangle& a, const Rectangle& b);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -3,7 +3,7 @@
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /// Description k of a detection (see `describe`), with its edges renamed accordingly.
 DetectedRectangle describe(const DetectedRectangle& detection, int k);
@@ -19,4 +19,4 @@ DetectedRectangle alignDescription(const DetectedRectangle& detection, const Rec
 DetectedRectangle placeOnObservedEdges(const DetectedRectangle& detection, const Eigen::Vector2d& size, const Rectangle* expected,
                                        double min_support);
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core

@@ -3,7 +3,7 @@
 
 #include "cabinet_articulation/config/config.h"
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 struct TrackingConfig {
   double timeout = 20;
@@ -46,4 +46,4 @@ struct TrackingConfig {
   }
 };
 
-}  // namespace cabinet_articulation
+}  // namespace cabinet_articulation::core
