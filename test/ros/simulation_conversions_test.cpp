@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/simulation_conversions.h"
+
+#include <gtest/gtest.h>
+
+#include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
+
+namespace cabinet_articulation {
+namespace {
+
+std_msgs::Header exampleHeader() {
+  std_msgs::Header header;
+  header.frame_id = "optical";
+  header.stamp = ros::Time(1700000000, 123456789);
+  return header;
+}
+
+TEST(SimulationConversions, CameraInfosDescribeTheRectifiedPair) {
+  const core::StereoCamera camera{640, 480, 690, 685, 322, 236, 0.09, 3};
+  const sensor_msgs::CameraInfo left = toLeftCameraInfo(camera, exampleHeader());
+  const sensor_msgs::CameraInfo right = toRightCameraInfo(camera, exampleHeader());
+  EXPECT_DOUBLE_EQ(right.P[3], -690 * 0.09);
+  EXPECT_EQ(left.P[3], 0);
+  EXPECT_EQ(left.header, exampleHeader());
+  EXPECT_EQ(right.header, exampleHeader());
+  for (const sensor_msgs::CameraInfo& info : {left, right})
+    for (const double d : info.D) EXPECT_EQ(d, 0);
+  const core::StereoCamera back = toStereoCamera(left, right, "left", "right");
+  EXPECT_EQ(back.width, camera.width);
+  EXPECT_EQ(back.height, camera.height);
+  EXPECT_DOUBLE_EQ(back.fx, camera.fx);
+  EXPECT_DOUBLE_EQ(back.fy, camera.fy);
+  EXPECT_DOUBLE_EQ(back.cx, camera.cx);
+  EXPECT_DOUBLE_EQ(back.cy, camera.cy);
+  EXPECT_DOUBLE_EQ(back.baseline, camera.baseline);
+  EXPECT_DOUBLE_EQ(back.cx_difference, camera.cx_difference);
+}
+
+TEST(SimulationConversions, TruthKeepsEveryFront) {
+  const core::SimulatedStereoCamera camera{core::SimulationConfig()};
+  core::GroundTruth truth = camera.truth(60);
+  truth.last = true;
+  const SceneTruth message = toMessage(truth, exampleHeader());
+  EXPECT_EQ(message.header, exampleHeader());
+  EXPECT_EQ(message.scene, "kitchen");
+  EXPECT_TRUE(message.last);
+  ASSERT_EQ(message.joints.size(), truth.joints.size());
+  ASSERT_EQ(message.fixed.size(), truth.fixed.size());
+  for (size_t i = 0; i < truth.joints.size(); ++i) {
+    const core::FrontTruth& front = truth.joints[i];
+    const JointTruth& joint = message.joints[i];
+    EXPECT_EQ(joint.name, front.name);
+    EXPECT_EQ(joint.type, static_cast<int>(front.type));
+    EXPECT_TRUE(fromMessage(joint.pose).isApprox(front.rectangle.pose, 1e-9));
+    EXPECT_EQ(joint.width, front.rectangle.width);
+    EXPECT_EQ(joint.height, front.rectangle.height);
+    EXPECT_EQ(fromMessage(joint.axis), front.axis);
+    EXPECT_EQ(fromMessage(joint.axis_point), front.axis_point);
+    EXPECT_EQ(joint.q, front.q);
+    EXPECT_EQ(joint.q_min, 0);
+    EXPECT_EQ(joint.q_max, front.q_max);
+  }
+  EXPECT_GT(message.joints[0].q, 0.1) << "the drawer is open in this frame";
+  for (const JointTruth& fixed : message.fixed) EXPECT_EQ(fixed.type, 0) << "rigid";
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
