@@ -18,7 +18,8 @@ Rectangle extrapolate(const std::vector<TrackedObservation>& history, double sta
     const double base = newest.stamp - older->stamp;
     if (base > kLongestBase) break;
     if (base < kVelocityBase) continue;
-    const double ratio = std::clamp(stamp - newest.stamp, 0.0, horizon) / base;
+    const double ahead = stamp - newest.stamp;
+    const double ratio = ahead > 0 ? std::min(ahead, horizon) / base : 0;
     const Eigen::AngleAxisd turn(newest.rectangle.pose.linear() * older->rectangle.pose.linear().transpose());
     predicted.pose.translation() += ratio * (newest.rectangle.center() - older->rectangle.center());
     predicted.pose.linear() = Eigen::AngleAxisd(ratio * turn.angle(), turn.axis()) * newest.rectangle.pose.linear();

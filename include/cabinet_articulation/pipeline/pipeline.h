@@ -22,7 +22,7 @@ struct PipelineConfig {
   ArticulationConfig articulation;
 
   /// Reads <directory>/{stereo,planes,rectangles,tracking,articulation}.yaml; a missing file keeps that stage's defaults.
-  /// Throws ConfigError; warnings about unknown keys are appended.
+  /// Throws ConfigError, also when there is no such directory; warnings about unknown keys are appended.
   static PipelineConfig load(const std::string& directory, std::vector<std::string>* warnings);
 };
 
@@ -31,12 +31,13 @@ struct StageTimes {
   double stereo = 0, planes = 0, rectangles = 0, tracking = 0, articulation = 0;
 };
 
-/// What one frame gave. Rectangles in the left optical frame, tracks and models in the fixed frame.
+/// What one frame gave. Rectangles in the left optical frame, tracks and models in the fixed frame. The tracks are the
+/// tracker's own (histories are long): the pointer is valid until the next call.
 struct PipelineResult {
   DepthFrame frame;
   std::vector<PlaneRegion> planes;
   std::vector<DetectedRectangle> rectangles;
-  std::vector<Track> tracks;
+  const std::vector<Track>* tracks = nullptr;
   std::vector<LearnedModel> models;
   StageTimes milliseconds;
 };
@@ -46,7 +47,9 @@ class Pipeline {
  public:
   explicit Pipeline(const PipelineConfig& config);
 
-  /// A rectified stereo pair. `T_fixed_camera` places the left optical frame in the frame the models live in.
+  /// A rectified stereo pair, seen at `stamp` [s]. `T_fixed_camera` places the left optical frame in the frame the models
+  /// live in. Throws as BlockMatcher::process. A stamp that is not newer than the last one teaches nothing: tracks and
+  /// models stay as they are.
   PipelineResult process(double stamp, const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
                          const Eigen::Isometry3d& T_fixed_camera = Eigen::Isometry3d::Identity());
 
@@ -54,6 +57,9 @@ class Pipeline {
   PipelineResult process(double stamp, const DepthFrame& frame,
                          const Eigen::Isometry3d& T_fixed_camera = Eigen::Isometry3d::Identity());
 
+  const std::vector<Track>& tracks() const { return tracking_.tracks(); }
+
+  /// Forgets all tracks and models.
   void reset();
 
  private:
@@ -65,6 +71,7 @@ class Pipeline {
 };
 
 /// Rectangles given in the camera's frame, seen from the fixed frame (poses and covariances).
-std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles, const Eigen::Isometry3d& T_fixed_camera);
+std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles,
+                                           const Eigen::Isometry3d& T_fixed_camera);
 
 }  // namespace cabinet_articulation::core

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/pipeline/pipeline.h"
+
+#include <chrono>
+#include <filesystem>
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// Runs one stage and writes down how long it took.
+template <class Stage>
+auto timed(double& milliseconds, Stage&& stage) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = stage();
+  milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+template <class Config>
+Config loadOrDefault(const std::string& path, std::vector<std::string>* warnings) {
+  return std::filesystem::exists(path) ? loadConfig<Config>(path, warnings) : Config();
+}
+
+std::vector<Rectangle> inCamera(std::vector<Rectangle> rectangles, const Eigen::Isometry3d& T_fixed_camera) {
+  const Eigen::Isometry3d T_camera_fixed = T_fixed_camera.inverse();
+  for (Rectangle& rectangle : rectangles) rectangle.pose = T_camera_fixed * rectangle.pose;
+  return rectangles;
+}
+
+}  // namespace
+
+PipelineConfig PipelineConfig::load(const std::string& directory, std::vector<std::string>* warnings) {
+  if (!std::filesystem::is_directory(directory)) throw ConfigError("configuration directory '" + directory + "' does not exist");
+  PipelineConfig config;
+  config.stereo = loadOrDefault<StereoConfig>(directory + "/stereo.yaml", warnings);
+  config.planes = loadOrDefault<PlanesConfig>(directory + "/planes.yaml", warnings);
+  config.rectangles = loadOrDefault<RectanglesConfig>(directory + "/rectangles.yaml", warnings);
+  config.tracking = loadOrDefault<TrackingConfig>(directory + "/tracking.yaml", warnings);
+  config.articulation = loadOrDefault<ArticulationConfig>(directory + "/articulation.yaml", warnings);
+  return config;
+}
+
+Pipeline::Pipeline(const PipelineConfig& config)
+    : stereo_(config.stereo),
+      planes_(config.planes),
+      rectangles_(config.rectangles),
+      tracking_(config.tracking),
+      articulation_(config.articulation) {}
+
+PipelineResult Pipeline::process(double stamp, const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
+                                 const Eigen::Isometry3d& T_fixed_camera) {
+  double stereo_milliseconds = 0;
+  const DepthFrame frame = timed(stereo_milliseconds, [&] { return stereo_.process(left, right, camera); });
+  PipelineResult result = process(stamp, frame, T_fixed_camera);
+  result.milliseconds.stereo = stereo_milliseconds;
+  return result;
+}
+
+PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Eigen::Isometry3d& T_fixed_camera) {
+  PipelineResult result;
+  StageTimes& times = result.milliseconds;
+  result.frame = frame;
+  result.planes = timed(times.planes, [&] { return planes_.process(frame); });
+  result.rectangles = timed(times.rectangles, [&] {
+    return rectangles_.process(frame, result.planes, inCamera(tracking_.expected(stamp), T_fixed_camera));
+  });
+  result.tracks =
+      timed(times.tracking, [&] { return &tracking_.process(stamp, transformed(result.rectangles, T_fixed_camera)); });
+  result.models = timed(times.articulation, [&] { return articulation_.process(*result.tracks); });
+  return result;
+}
+
+void Pipeline::reset() {
+  tracking_.reset();
+  articulation_.reset();
+}
+
+std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles,
+                                           const Eigen::Isometry3d& T_fixed_camera) {
+  Matrix6d turn = Matrix6d::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_fixed_camera.linear();
+  std::vector<DetectedRectangle> result = rectangles;
+  for (DetectedRectangle& detection : result) {
+    detection.rectangle.pose = T_fixed_camera * detection.rectangle.pose;
+    detection.covariance = turn * detection.covariance * turn.transpose();
+  }
+  return result;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "result_bag.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cabinet_articulation/ros/conversions.h"
+
+namespace cabinet_articulation {
+namespace {
+
+constexpr size_t kWrittenHistory = 100;  ///< observations
+
+/// A track without the older part of its history.
+core::Track recentPart(const core::Track& track) {
+  core::Track recent;
+  recent.id = track.id;
+  recent.width = track.width;
+  recent.height = track.height;
+  recent.revision = track.revision;
+  const size_t count = std::min(track.observations.size(), kWrittenHistory);
+  recent.observations.assign(track.observations.end() - count, track.observations.end());
+  return recent;
+}
+
+}  // namespace
+
+ResultBag::ResultBag(const std::string& path) : path_(path) {
+  try {
+    bag_.open(path, rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": cannot be written (" + error.what() + ")");
+  }
+}
+
+template <class Message>
+void ResultBag::add(const std::string& topic, const std_msgs::Header& header, const Message& message) {
+  try {
+    bag_.write(topic, std::max(header.stamp, ros::TIME_MIN), message);
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path_ + ": cannot be written (" + error.what() + ")");
+  }
+}
+
+void ResultBag::write(const std_msgs::Header& header, const std::vector<core::DetectedRectangle>& rectangles,
+                      const std::vector<core::Track>& tracks, const std::vector<core::LearnedModel>& models) {
+  std::vector<core::Track> recent;
+  recent.reserve(tracks.size());
+  for (const core::Track& track : tracks) recent.push_back(recentPart(track));
+  add("/cabinet/rectangles", header, toMessage(rectangles, header));
+  add("/cabinet/tracks", header, toMessage(recent, header));
+  add("/cabinet/models", header, toMessage(models, header));
+}
+
+void ResultBag::close(const std_msgs::Header& header, const std::vector<core::Track>& tracks) {
+  add("/cabinet/tracks", header, toMessage(tracks, header));
+  bag_.close();
+}
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rosbag/bag.h>
+#include <std_msgs/Header.h>
+
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/pipeline/pipeline.h"
+
+namespace cabinet_articulation {
+
+/// Writes what the pipeline found to /cabinet/{rectangles,tracks,models} of a bag, with the stamps of the input. The same
+/// results give the same bytes. Throws std::runtime_error in words where the file cannot be written.
+class ResultBag {
+ public:
+  explicit ResultBag(const std::string& path);
+
+  /// One frame. Tracks carry their last 100 observations, so that the file grows with the input and not with its square.
+  void write(const std_msgs::Header& header, const std::vector<core::DetectedRectangle>& rectangles,
+             const std::vector<core::Track>& tracks, const std::vector<core::LearnedModel>& models);
+
+  /// The whole histories, in a last message on /cabinet/tracks.
+  void close(const std_msgs::Header& header, const std::vector<core::Track>& tracks);
+
+ private:
+  template <class Message>
+  void add(const std::string& topic, const std_msgs::Header& header, const Message& message);
+
+  rosbag::Bag bag_;
+  std::string path_;
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace cabinet_articulation {
+namespace {
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  char text[256];
+  std::snprintf(text, sizeof text, pattern, arguments...);
+  return text;
+}
+
+std::string vectorText(const Eigen::Vector3d& v) { return format("(%.3f %.3f %.3f)", v.x(), v.y(), v.z()); }
+
+std::string typeName(const core::LearnedModel& model) {
+  if (!model.explained) return "none of these";
+  switch (model.type) {
+    case core::JointType::kRigid:
+      return "rigid";
+    case core::JointType::kPrismatic:
+      return "prismatic";
+    case core::JointType::kRotational:
+      return "rotational";
+  }
+  return "unknown";
+}
+
+std::string modelText(const core::LearnedModel& model) {
+  constexpr double kDegrees = 180 / M_PI;
+  std::string text = format("object %u: %s, %.3f x %.3f m, %d observations\n  probabilities", model.id, typeName(model).c_str(),
+                            model.width, model.height, model.observations);
+  for (const double probability : model.probabilities) text += format(" %.3f", probability);
+  if (model.type == core::JointType::kPrismatic)
+    text += "\n  axis " + vectorText(model.axis) + format(", opening %.3f to %.3f m", model.q_min, model.q_max);
+  if (model.type == core::JointType::kRotational)
+    text += "\n  axis " + vectorText(model.axis) + " through " + vectorText(model.axis_point) +
+            format(", radius %.3f m, opening %.1f to %.1f deg", model.radius, kDegrees * model.q_min, kDegrees * model.q_max);
+  return text + format("\n  residuals %.1f mm, %.2f deg\n", 1e3 * model.position_error, kDegrees * model.orientation_error);
+}
+
+}  // namespace
+
+void RunSummary::add(const core::PipelineResult& result) {
+  milliseconds_.push_back(result.milliseconds);
+  for (const core::LearnedModel& model : result.models) models_[model.id] = model;
+}
+
+std::string RunSummary::objects() const {
+  std::string text;
+  int still = 0;
+  for (const auto& [id, model] : models_) {
+    if (model.moved)
+      text += modelText(model);
+    else
+      ++still;
+  }
+  if (text.empty()) text = "nothing moved\n";
+  return text + format("%d other rectangles did not move\n", still);
+}
+
+std::string RunSummary::timing() const {
+  static constexpr std::pair<const char*, double core::StageTimes::*> kStages[] = {
+      {"stereo", &core::StageTimes::stereo},
+      {"planes", &core::StageTimes::planes},
+      {"rectangles", &core::StageTimes::rectangles},
+      {"tracking", &core::StageTimes::tracking},
+      {"articulation", &core::StageTimes::articulation},
+  };
+  std::string text = "stage          median    mean [ms]\n";
+  std::vector<double> totals(milliseconds_.size(), 0);
+  const auto line = [](const char* name, std::vector<double> values) {
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / values.size();
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return format("%-12s %8.2f %7.2f\n", name, values[values.size() / 2], mean);
+  };
+  if (milliseconds_.empty()) return text;
+  for (const auto& [name, stage] : kStages) {
+    std::vector<double> values;
+    for (size_t i = 0; i < milliseconds_.size(); ++i) {
+      values.push_back(milliseconds_[i].*stage);
+      totals[i] += values.back();
+    }
+    text += line(name, values);
+  }
+  return text + line("all", totals);
+}
+
+}  // namespace cabinet_articulation
