@@ -10,8 +10,8 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kNoiseLength = 1 << 18;
-constexpr double kWellPerRadiance = 0.5;  ///< a white square on white paper at 1 m half fills the wells
-constexpr double kBlackLevel = 3;         ///< grey value without light
+constexpr double kWellPerRadiance = 0.35;  ///< a white square on white paper at 1 m fills a third of the wells
+constexpr double kBlackLevel = 3;          ///< grey value without light
 constexpr double kWhite = 255;
 
 struct Development {
