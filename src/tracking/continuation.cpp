@@ -12,10 +12,10 @@ std::optional<Continuation> continueFrom(const Rectangle& reference, double seco
                                          const FrontSize& size, const TrackingConfig& config) {
   const DetectedRectangle aligned = alignDescription(detection, reference);
   if (!size.fits(aligned, config)) return std::nullopt;
-  const Rectangle placed =
-      placeOnObservedEdges(aligned, {reference.width, reference.height}, &reference, config.min_edge_support).rectangle;
-  if (!isPossibleMotion(reference, placed, seconds, config)) return std::nullopt;
-  return Continuation{cornerDistance(reference, placed), aligned, reference};
+  const Rectangle placed = placeOnObservedEdges(aligned, size.known(config), &reference, config.min_edge_support).rectangle;
+  const std::optional<double> distance = motionDistance(reference, placed, seconds, config);
+  if (!distance) return std::nullopt;
+  return Continuation{*distance, aligned, reference};
 }
 
 }  // namespace

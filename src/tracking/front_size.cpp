@@ -18,12 +18,15 @@ double measuredLength(const DetectedRectangle& detection, int axis) {
   return axis == 0 ? detection.rectangle.width : detection.rectangle.height;
 }
 
-/// Two sigmas of the estimate beside the fixed tolerance; the first lengths are trusted little.
-double tolerance(const LengthEstimate& length, const TrackingConfig& config) {
-  const double prior = config.first_size_sigma * config.first_size_sigma;
+constexpr double kAnyFront = 0.3;  ///< [m] sigma of the size of a front nobody has seen
+
+/// The first lengths are trusted little.
+double sigma(const LengthEstimate& length, const TrackingConfig& config) {
   const double weight = length.weight();
+  if (weight <= 0) return kAnyFront;
+  const double prior = config.first_size_sigma * config.first_size_sigma;
   const double variance = (prior + weight * length.spread() * length.spread()) / (1 + weight);
-  return config.size_tolerance + 2 * std::sqrt(variance / (1 + weight));
+  return std::sqrt(variance / (1 + weight));
 }
 
 }  // namespace
@@ -37,11 +40,16 @@ bool FrontSize::fits(const DetectedRectangle& detection, const TrackingConfig& c
   for (int axis = 0; axis < 2; ++axis) {
     const double measured = measuredLength(detection, axis);
     const double known = lengths_[axis].median();
-    const bool observed = axisSupport(detection, axis, config.min_edge_support) > 0;
-    if (observed && std::abs(measured - known) > std::min(tolerance(lengths_[axis], config), known / 2)) return false;
+    const bool observed = lengths_[axis].weight() > 0 && axisSupport(detection, axis, config.min_edge_support) > 0;
+    const double tolerance = config.size_tolerance + 2 * sigma(lengths_[axis], config);
+    if (observed && std::abs(measured - known) > std::min(tolerance, known / 2)) return false;
     if (!observed && (measured < known / 3 || measured > known * 2)) return false;
   }
   return true;
+}
+
+KnownSize FrontSize::known(const TrackingConfig& config) const {
+  return {{lengths_[0].median(), lengths_[1].median()}, {sigma(lengths_[0], config), sigma(lengths_[1], config)}};
 }
 
 }  // namespace cabinet_articulation::core

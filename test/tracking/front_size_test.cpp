@@ -62,7 +62,16 @@ TEST(FrontSize, AnUnobservedEdgeDoesNotBreakTheGate) {
   EXPECT_FALSE(size.fits(sized(0.2, 0.6), config)) << "both edges seen";
   EXPECT_FALSE(size.fits(sized(1.5, 0.6, {0, 0, 1, 1}), config)) << "a wall is no front";
   size.add(sized(0.2, 0.6, {0, 1, 1, 1}), config);
-  EXPECT_NEAR(size.value().x(), 0.4, 1e-3);
+  EXPECT_NEAR(size.known(config).value.x(), 0.4, 1e-3);
+}
+
+TEST(FrontSize, ALengthThatWasNeverObservedBindsNobody) {
+  const TrackingConfig config;
+  FrontSize size;
+  for (int i = 0; i < 3; ++i) size.add(sized(0.68, 0.6, {0, 1, 1, 1}), config);  // merged with its neighbour while closed
+  EXPECT_TRUE(size.fits(sized(0.4, 0.6), config));
+  EXPECT_GT(size.known(config).sigma.x(), 0.2);
+  EXPECT_LT(size.known(config).sigma.y(), 0.02);
 }
 
 }  // namespace
