@@ -17,6 +17,7 @@ namespace {
 constexpr int kNone = -1;
 constexpr double kUsualDistance = 0.02;      ///< [m] of a detection from its track
 constexpr double kNewTrackDistance = 0.2;    ///< [m] a rectangle farther from every track rather is a new front
+constexpr double kProposedSigma = 0.03;      ///< [m] of a size good enough to be searched for
 constexpr double kTentativeDistance = 0.03;  ///< [m] of two tracks equally near, the confirmed one is right
 constexpr double kResizeStep = 0.002;        ///< [m] smaller changes of the size are not worth placing the history anew
 constexpr double kRotationTolerance = 1e-3;  ///< entries of R R^T - I of a pose that is meant to be a rotation
@@ -82,8 +83,15 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
 
 std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
   std::vector<Rectangle> places;
-  for (const Track& track : tracks_)
-    if (isConfirmed(track)) places.push_back(extrapolate(track.observations, stamp, config_.prediction_horizon));
+  for (size_t i = 0; i < tracks_.size(); ++i) {
+    const Track& track = tracks_[i];
+    const KnownSize size = sizes_[i].known(config_);
+    const bool lost = last_stamp_ - track.observations.back().stamp > config_.tentative_timeout;
+    if (!isConfirmed(track) || lost || size.sigma.maxCoeff() > kProposedSigma) continue;
+    places.push_back(extrapolate(track.observations, stamp, config_.prediction_horizon));
+    places.back().width = size.value.x();
+    places.back().height = size.value.y();
+  }
   return places;
 }
 
@@ -121,7 +129,7 @@ std::vector<int> RectangleTracker::assignRectangles(double stamp, const std::vec
 void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, FrontSize& size) {
   const Continuation found = *findContinuation(track, size, rectangle, stamp, config_);
   const DetectedRectangle& measured = found.measured;
-  size.add(measured, config_);
+  size.add(measured);
   const KnownSize known = size.known(config_);
   const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep;
   if (resized) {
@@ -159,7 +167,7 @@ void RectangleTracker::startTracks(double stamp, const std::vector<DetectedRecta
         {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
     tracks_.push_back(std::move(track));
     sizes_.emplace_back();
-    sizes_.back().add(detection, config_);
+    sizes_.back().add(detection);
   }
 }
 

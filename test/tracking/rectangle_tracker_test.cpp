@@ -190,6 +190,21 @@ TEST(RectangleTracker, ClutterEndsFastAndFrontsAfterTheTimeout) {
   EXPECT_EQ(tracker.tracks()[0].id, 3u);
 }
 
+TEST(RectangleTracker, ProposesOnlySizesThatWereObserved) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(30);
+  const auto merged = [&](const Rectangle& front) {
+    return withHiddenEdge(alignDescription(detect(front), front), kEdgePlusX, -0.3);
+  };
+  for (int i = 1; i <= 10; ++i) tracker.process(i * kFrame, {merged(closedFront()), detect(closedFront(2))});
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+  ASSERT_EQ(tracker.expected().size(), 1u);
+  EXPECT_NEAR(tracker.expected()[0].center().x(), 2, 0.01);
+  EXPECT_NEAR(tracker.expected()[0].width * tracker.expected()[0].height, 0.395 * 0.58, 0.005);
+  tracker.process(2, {});
+  EXPECT_TRUE(tracker.expected().empty()) << "lost";
+}
+
 TEST(RectangleTracker, AJumpOfAMetreIsAnotherFront) {
   RectangleTracker tracker({});
   NoisyDetector detect(31);

@@ -12,11 +12,11 @@ namespace cabinet_articulation::core {
 class FrontSize {
  public:
   /// Lengths count by the product of the observed shares of their two edges.
-  void add(const DetectedRectangle& detection, const TrackingConfig& config);
+  void add(const DetectedRectangle& detection);
 
   /// Could this detection be the front, by its size? The tolerance shrinks while the estimate grows certain ("considered
   /// also the uncertainty in the estimate of the object size", paper III-C). An axis with an unobserved edge (cut,
-  /// hidden, or merged with a neighbour), here or in all that was seen before, may have from a third to twice the length.
+  /// hidden, or merged with a neighbour) may have from a third to twice the length.
   bool fits(const DetectedRectangle& detection, const TrackingConfig& config) const;
 
   /// The estimate; a length that was never observed is as uncertain as the size of fronts is.

@@ -28,8 +28,9 @@ class RectangleTracker {
 
   const std::vector<Track>& tracks() const { return tracks_; }
 
-  /// Where the confirmed tracks are expected at `stamp`, for the detector's track-guided fit. Without a stamp: where
-  /// they were last seen.
+  /// Where fronts are expected at `stamp`, with the size of their track, for the detector's track-guided fit. Only those
+  /// that were confirmed, are not lost, and whose size has been observed: a wrong size that is searched for is found
+  /// again and again. Without a stamp: where they were last seen.
   std::vector<Rectangle> expected(double stamp) const;
   std::vector<Rectangle> expected() const { return expected(last_stamp_); }
 
