@@ -29,6 +29,8 @@ std::optional<double> motionDistance(const Rectangle& from, const Rectangle& to,
   if (tilt > std::min(config.angle_tolerance + config.max_turn_rate * seconds, kWidestSwing)) return std::nullopt;
 
   const double tolerance = config.position_tolerance;
+  const bool unwatched = seconds > config.prediction_horizon;
+  if (unwatched && shift.z() < -tolerance) return std::nullopt;
   Eigen::Vector3d limits(std::min(tolerance, kLargestShift * from.width), std::min(tolerance, kLargestShift * from.height),
                          tolerance);
   double unexplained = std::numeric_limits<double>::infinity();

@@ -49,18 +49,6 @@ DetectedRectangle describe(const DetectedRectangle& detection, int k) {
   return result;
 }
 
-DetectedRectangle alignDescription(const DetectedRectangle& detection, const Rectangle& reference) {
-  int best = 0;
-  double best_angle = angleBetween(detection.rectangle.pose, reference.pose);
-  for (int k = 1; k < kDescriptions; ++k) {
-    const double angle = angleBetween(describe(detection.rectangle, k).pose, reference.pose);
-    if (angle >= best_angle) continue;
-    best = k;
-    best_angle = angle;
-  }
-  return describe(detection, best);
-}
-
 DetectedRectangle placeOnObservedEdges(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
                                        double min_support) {
   DetectedRectangle placed = detection;

@@ -8,9 +8,6 @@ namespace cabinet_articulation::core {
 /// Description k of a detection (see `describe`), with its edges renamed accordingly.
 DetectedRectangle describe(const DetectedRectangle& detection, int k);
 
-/// The one of the eight descriptions whose axes are nearest to those of `reference`.
-DetectedRectangle alignDescription(const DetectedRectangle& detection, const Rectangle& reference);
-
 /// What is known about a front's width and height [m].
 struct KnownSize {
   Eigen::Vector2d value;
