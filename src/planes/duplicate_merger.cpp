@@ -6,13 +6,14 @@
 
 namespace cabinet_articulation::core {
 
-void DuplicateMerger::process(cv::Size cells, RegionSet* set) {
+void DuplicateMerger::process(cv::Size image, RegionSet* set) {
   std::stable_sort(set->regions.begin(), set->regions.end(),
                    [](const GrownRegion& a, const GrownRegion& b) { return a.cells > b.cells; });
-  owner_.create(cells);
+  owner_.create(image.height / kCell, image.width / kCell);
   owner_.setTo(-1);
   kept_.clear();
   for (const GrownRegion& region : set->regions) {
+    if (static_cast<int>(kept_.size()) == config_.max_regions) break;
     if (isDuplicate(region, *set)) continue;
     const int index = static_cast<int>(kept_.size());
     for (int i = region.first_run; i < region.last_run; ++i) {

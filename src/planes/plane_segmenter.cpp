@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cabinet_articulation/planes/duplicate_merger.h"
+#include "cabinet_articulation/planes/metric_consensus.h"
 #include "cabinet_articulation/planes/photometric_refinement.h"
 #include "cabinet_articulation/planes/plane_consensus.h"
 #include "cabinet_articulation/planes/plane_mask.h"
@@ -23,11 +24,27 @@ std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set)
   return hull;
 }
 
+std::vector<cv::Point2f> hullOfInPlane(const cv::Mat1b& mask) {
+  std::vector<cv::Point2f> ends, hull;
+  for (int v = 0; v < mask.rows; ++v) {
+    const std::uint8_t* begin = mask[v];
+    const std::uint8_t* end = begin + mask.cols;
+    const std::uint8_t* first = std::find(begin, end, kInPlane);
+    if (first == end) continue;
+    while (end[-1] != kInPlane) --end;
+    ends.emplace_back(first - begin, v);
+    ends.emplace_back(end - 1 - begin, v);
+  }
+  if (!ends.empty()) cv::convexHull(ends, hull);
+  return hull;
+}
+
 }  // namespace
 
 struct PlaneSegmenter::Buffers {
   explicit Buffers(const PlanesConfig& config)
-      : consensus(config), growing(config), merger(config), refinement(config), mask(config) {}
+      : metric_consensus(config), consensus(config), growing(config), merger(config), refinement(config), mask(config) {}
+  MetricConsensus metric_consensus;
   PlaneConsensus consensus;
   RegionGrowing growing;
   DuplicateMerger merger;
@@ -40,24 +57,37 @@ PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), bu
 PlaneSegmenter::~PlaneSegmenter() = default;
 
 std::vector<PlaneRegion> PlaneSegmenter::process(const DepthFrame& frame) {
-  const cv::Size cells(frame.disparity.cols / kCell, frame.disparity.rows / kCell);
+  return config_.method == "paper" ? wholePlanes(frame) : connectedRegions(frame);
+}
+
+std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& frame) {
   const std::vector<DisparityPlane> planes = buffers_->consensus.process(frame);
   RegionSet& set = buffers_->growing.process(frame, planes);
-  buffers_->merger.process(cells, &set);
+  buffers_->merger.process(frame.disparity.size(), &set);
   if (config_.refine && !frame.left.empty() && !frame.right.empty()) {
-    buffers_->refinement.setFrame(frame);
-    for (GrownRegion& region : set.regions)
-      if (const auto refined = buffers_->refinement.refine(region, set)) region.plane = *refined;
-    buffers_->merger.process(cells, &set);
+    buffers_->mask.setFrame(frame, set);
+    buffers_->refinement.process(frame, buffers_->mask.competitor(), &set);
+    buffers_->merger.process(frame.disparity.size(), &set);
   }
   buffers_->mask.setFrame(frame, set);
 
   std::vector<PlaneRegion> regions;
   for (const GrownRegion& grown : set.regions) {
     const auto plane = toPlane(grown.plane, frame.camera);
-    if (!plane || static_cast<int>(regions.size()) >= config_.max_regions) continue;
+    if (!plane) continue;
     regions.push_back(
         {*plane, grown.plane, grown.cells * kCell * kCell, hullOf(grown, set), buffers_->mask.label(frame, grown.plane)});
+  }
+  return regions;
+}
+
+std::vector<PlaneRegion> PlaneSegmenter::wholePlanes(const DepthFrame& frame) const {
+  std::vector<PlaneRegion> regions;
+  for (const Plane& plane : buffers_->metric_consensus.process(frame)) {
+    const auto image = toDisparityPlane(plane, frame.camera);
+    if (!image) continue;
+    const cv::Mat1b mask = labelByDistance(frame, plane, config_.plane_distance);
+    regions.push_back({plane, *image, cv::countNonZero(mask == kInPlane), hullOfInPlane(mask), mask});
   }
   return regions;
 }

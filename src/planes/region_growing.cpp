@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/planes/region_growing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -14,7 +15,8 @@ constexpr float kNoDisparity = -1e6F;  ///< far from every plane, so that the ro
 
 __attribute__((target_clones("avx2", "default"))) void markRow(const float* disparity, int n, float slope, float start,
                                                                DisparityTolerance tolerance, std::uint8_t* out) {
-  for (int i = 0; i < n; ++i) out[i] = std::abs(slope * i + start - disparity[i]) <= tolerance.at(disparity[i]) ? 255 : 0;
+  for (int i = 0; i < n; ++i)
+    out[i] = std::abs(slope * static_cast<float>(i) + start - disparity[i]) <= tolerance.at(disparity[i]) ? 255 : 0;
 }
 
 }  // namespace
@@ -25,21 +27,14 @@ RegionSet& RegionGrowing::process(const DepthFrame& frame, const std::vector<Dis
   set_.regions.clear();
   set_.runs.clear();
   shrinkDisparity(frame.disparity);
-  const cv::Mat kernel = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});
   for (const DisparityPlane& plane : planes) {
     markInPlane(plane, frame.camera);
-    cv::erode(in_plane_, core_, kernel);
-    const int labels = cv::connectedComponentsWithStats(core_, labels_, stats_, centroids_, 4, CV_32S);
-    for (int label = 1; label < labels; ++label) {
-      const int* stats = stats_[label];
-      if (stats[cv::CC_STAT_AREA] * kCell * kCell < config_.min_region) continue;
-      GrownRegion region;
-      region.plane = plane;
-      region.cells = stats[cv::CC_STAT_AREA];
-      collectRuns({stats[cv::CC_STAT_LEFT], stats[cv::CC_STAT_TOP], stats[cv::CC_STAT_WIDTH], stats[cv::CC_STAT_HEIGHT]}, label,
-                  &region);
-      fitPlane(&region);
-      set_.regions.push_back(region);
+    cv::erode(in_plane_, eroded_, cv::Mat());
+    cores_.process(eroded_);
+    for (const ConnectedRuns::Component& core : cores_.components()) {
+      if (core.cells * kCell * kCell < config_.min_region) continue;
+      set_.regions.push_back(growBack(core));
+      set_.regions.back().plane = fitPlane(core).value_or(plane);
     }
   }
   return set_;
@@ -62,28 +57,34 @@ void RegionGrowing::markInPlane(const DisparityPlane& plane, const StereoCamera&
             tolerance, in_plane_[row]);
 }
 
-void RegionGrowing::collectRuns(const cv::Rect& box, int label, GrownRegion* region) {
-  region->first_run = static_cast<int>(set_.runs.size());
-  for (int row = box.y; row < box.y + box.height; ++row) {
-    const int* labels = labels_[row];
-    for (int col = box.x; col < box.x + box.width; ++col) {
-      if (labels[col] != label) continue;
-      CellRun run{row, col, col};
-      while (run.end < box.x + box.width && labels[run.end] == label) ++run.end;
-      set_.runs.push_back(run);
-      col = run.end;
-    }
-  }
-  region->last_run = static_cast<int>(set_.runs.size());
-}
-
-void RegionGrowing::fitPlane(GrownRegion* region) const {
+/// Only the core: at the edges block matching blends two surfaces.
+std::optional<DisparityPlane> RegionGrowing::fitPlane(const ConnectedRuns::Component& core) const {
   PlaneFit fit;
-  for (int i = region->first_run; i < region->last_run; ++i) {
-    const CellRun& run = set_.runs[i];
+  for (int i = core.first_run; i < core.last_run; ++i) {
+    const CellRun& run = cores_.runs()[i];
     for (int col = run.begin; col < run.end; ++col) fit.add(col * kCell, run.row * kCell, disparity_(run.row, col));
   }
-  if (const auto plane = fit.solve()) region->plane = *plane;
+  return fit.solve();
+}
+
+/// What the erosion took comes back, so that the region reaches to its edges.
+GrownRegion RegionGrowing::growBack(const ConnectedRuns::Component& core) {
+  grown_.create(in_plane_.size());
+  const int top = std::max(cores_.runs()[core.first_run].row - 1, 0);
+  const int bottom = std::min(cores_.runs()[core.last_run - 1].row + 2, grown_.rows);
+  grown_.rowRange(top, bottom).setTo(0);
+  for (int i = core.first_run; i < core.last_run; ++i) {
+    const CellRun& run = cores_.runs()[i];
+    const int begin = std::max(run.begin - 1, 0), end = std::min(run.end + 1, grown_.cols);
+    for (int row = std::max(run.row - 1, top); row < std::min(run.row + 2, bottom); ++row)
+      std::copy(in_plane_[row] + begin, in_plane_[row] + end, grown_[row] + begin);
+  }
+  GrownRegion region;
+  region.first_run = static_cast<int>(set_.runs.size());
+  for (int row = top; row < bottom; ++row) appendRuns(grown_[row], grown_.cols, row, &set_.runs);
+  region.last_run = static_cast<int>(set_.runs.size());
+  for (int i = region.first_run; i < region.last_run; ++i) region.cells += set_.runs[i].end - set_.runs[i].begin;
+  return region;
 }
 
 }  // namespace cabinet_articulation::core

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <opencv2/imgproc.hpp>
 
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "stereo/synthetic_pair.h"
@@ -82,10 +83,9 @@ TEST(PlaneSegmenter, StereoPairIsRefinedOnTheImages) {
 TEST(PlaneSegmenter, TheSameFrameGivesTheSameBytesWhateverCameBefore) {
   const DepthFrame frame = stereoFrame(), other = exactFrame();
   PlaneSegmenter segmenter{PlanesConfig()};
-  cv::setNumThreads(1);
   const auto first = segmenter.process(frame);
   segmenter.process(other);
-  cv::setNumThreads(4);
+  cv::setNumThreads(1);
   const auto again = segmenter.process(frame);
   ASSERT_EQ(first.size(), again.size());
   for (size_t i = 0; i < first.size(); ++i) {
@@ -98,14 +98,41 @@ TEST(PlaneSegmenter, TheSameFrameGivesTheSameBytesWhateverCameBefore) {
   }
 }
 
+TEST(PlaneSegmenter, PaperMethodLabelsWholePlanesByTheirDistance) {
+  PlanesConfig config;
+  config.method = "paper";
+  const DepthFrame frame = exactFrame();
+  const auto regions = PlaneSegmenter(config).process(frame);
+  const PlaneRegion* wall = regionOf(regions, kScene[0]);
+  ASSERT_NE(wall, nullptr);
+  int inliers = 0;
+  for (int v = 0; v < frame.disparity.rows; ++v)
+    for (int u = 0; u < frame.disparity.cols; ++u) {
+      const double distance = wall->plane.distance(frame.camera.point(u, v, frame.disparity(v, u)));
+      // Float disparities place a point 2 m away to within 1e-6 m.
+      if (std::abs(std::abs(distance) - config.plane_distance) < 1e-5) continue;
+      const Label expected = std::abs(distance) < config.plane_distance ? kInPlane : distance > 0 ? kOccluded : kFree;
+      ASSERT_EQ(wall->mask(v, u), expected) << u << ' ' << v << ' ' << distance;
+      inliers += expected == kInPlane;
+    }
+  EXPECT_NEAR(wall->inliers, inliers, 50);
+  // The drawer in the middle belongs to the hull of the whole plane.
+  EXPECT_GE(cv::pointPolygonTest(wall->hull, cv::Point2f(450, 220), false), 0);
+}
+
 TEST(PlaneSegmenter, WithoutDepthThereAreNoRegions) {
   DepthFrame frame;
   frame.camera = testCamera();
-  PlaneSegmenter segmenter{PlanesConfig()};
-  EXPECT_TRUE(segmenter.process(frame).empty());
-  for (const float value : {0.0F, -3.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    frame.disparity = cv::Mat1f(480, 640, value);
-    EXPECT_TRUE(segmenter.process(frame).empty()) << value;
+  PlanesConfig config;
+  for (const char* method : {"local", "paper"}) {
+    config.method = method;
+    PlaneSegmenter segmenter{config};
+    frame.disparity = cv::Mat1f();
+    EXPECT_TRUE(segmenter.process(frame).empty());
+    for (const float value : {0.0F, -3.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+      frame.disparity = cv::Mat1f(480, 640, value);
+      EXPECT_TRUE(segmenter.process(frame).empty()) << method << value;
+    }
   }
 }
 

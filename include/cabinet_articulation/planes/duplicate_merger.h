@@ -15,8 +15,8 @@ class DuplicateMerger {
  public:
   explicit DuplicateMerger(const PlanesConfig& config) : config_(config) {}
 
-  /// Drops duplicates and orders the rest by size, largest first. `cells` is the size of the grid.
-  void process(cv::Size cells, RegionSet* set);
+  /// Drops duplicates, orders the rest by size and keeps the `max_regions` largest.
+  void process(cv::Size image, RegionSet* set);
 
  private:
   bool isDuplicate(const GrownRegion& region, const RegionSet& set);

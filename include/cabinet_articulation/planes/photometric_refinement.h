@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <vector>
@@ -12,45 +11,48 @@
 
 namespace cabinet_articulation::core {
 
-/// Fits a region's plane to the two images themselves (ours): Gauss-Newton on a, b, c, a gain g and an offset o over
-/// sum of L(u, v) - g R(u - disparity(u, v), v) - o, with Huber weights. Block matching's errors are correlated over its
-/// window, so a small front holds only a few independent disparities; its pixels hold thousands.
+/// Fits each region's plane to the two images themselves (ours): Gauss-Newton on a robust sum of squares of
+///
+///   L(u, v) - gain R(u - disparity(u, v), v + row_shift) - offset,     disparity(u, v) = a u + b v + c
+///
+/// Block matching's errors are correlated over its window, so a small front holds only a few independent disparities,
+/// while its pixels hold thousands. The row shift takes up a rectification that is off by a fraction of a pixel, which
+/// real calibrations are; without it the errors double.
 class PhotometricRefinement {
  public:
   explicit PhotometricRefinement(const PlanesConfig& config);
 
-  /// The images that the following calls of refine() compare.
-  void setFrame(const DepthFrame& frame);
-
-  /// The better plane; nothing if the region has too little texture, lies outside the right image, or if the result would
-  /// move further than `refine_max_shift` from `region.plane` anywhere in the region.
-  std::optional<DisparityPlane> refine(const GrownRegion& region, const RegionSet& set);
+  /// Replaces the planes of `set`. A region keeps its plane if it has too few pixels or too little texture, or if the
+  /// result would lie further than `refine_max_shift` from it anywhere in the region. Pixels whose residual exceeds
+  /// `competitor` [px] belong to another surface and are not used.
+  void process(const DepthFrame& frame, const cv::Mat1f& competitor, RegionSet* set);
 
  private:
-  /// Pixels of the region. `x` and `y` are relative to the region's centre and scaled to +-1, which keeps sums in float
-  /// well conditioned. The number is a multiple of the lanes of the sums; what was added has weight 0.
+  /// disparity = a x + b y + c in the samples' coordinates.
+  struct Estimate {
+    double a, b, c, row_shift, gain, offset;
+  };
+  /// Pixels of a region. x and y are relative to its centre and scaled to +-1, which keeps sums in float well
+  /// conditioned. The number is a multiple of the sums' lanes; what was added for that has `inside` 0.
   struct Samples {
-    std::vector<float> u, x, y, left, slope;               ///< fixed: pixel, place, left image and its slope along u
-    std::vector<float> right, gradient, residual, weight;  ///< of the current estimate
     std::vector<int> row;
-    void clear();
+    std::vector<float> u, x, y, left, slope, inside;                   ///< slope: of the left image, along u
+    std::vector<float> right, gradient, row_gradient, residual, seen;  ///< of the current estimate; seen: not off the image
     void resize(size_t n);
     size_t size() const { return u.size(); }
   };
-  /// disparity = a x + b y + c in the samples' coordinates; left = gain right + offset.
-  struct Estimate {
-    double a, b, c, gain, offset;
-  };
-  using Step = Eigen::Matrix<double, 5, 1>;
+  struct Step;
 
-  void takeSamples(const GrownRegion& region, const RegionSet& set);
+  std::optional<DisparityPlane> refine(const DepthFrame& frame, const cv::Mat1f& competitor, const GrownRegion& region,
+                                       const RegionSet& set);
+  void takeSamples(const DepthFrame& frame, const cv::Mat1f& competitor, const GrownRegion& region, const RegionSet& set);
+  void describeSamples(size_t n);
   void warp(const Estimate& estimate);
-  double weigh();
-  std::optional<Step> solve(double gain) const;
-  double largestShift(const GrownRegion& region, const RegionSet& set, const DisparityPlane& plane) const;
+  float noise();
+  std::optional<Step> step(double gain, float sigma) const;
 
   PlanesConfig config_;
-  cv::Mat1f left_, right_;
+  cv::Mat1b left_, right_;
   double cx_difference_ = 0;
   double center_u_ = 0, center_v_ = 0, scale_ = 1;
   Samples samples_;

@@ -19,6 +19,9 @@ class PlaneMask {
   /// The regions that compete for pixels in the following calls of label().
   void setFrame(const DepthFrame& frame, const RegionSet& set);
 
+  /// [px] the smallest residual of the regions that hold a pixel, plus `other_plane_margin`; huge outside all regions.
+  const cv::Mat1f& competitor() const { return competitor_; }
+
   /// The labels of `plane` in fresh memory.
   cv::Mat1b label(const DepthFrame& frame, const DisparityPlane& plane) const;
 

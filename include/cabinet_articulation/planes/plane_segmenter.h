@@ -20,6 +20,9 @@ class PlaneSegmenter {
   std::vector<PlaneRegion> process(const DepthFrame& frame);
 
  private:
+  std::vector<PlaneRegion> connectedRegions(const DepthFrame& frame);
+  std::vector<PlaneRegion> wholePlanes(const DepthFrame& frame) const;
+
   struct Buffers;
   PlanesConfig config_;
   std::unique_ptr<Buffers> buffers_;

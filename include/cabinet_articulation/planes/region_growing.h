@@ -2,9 +2,11 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 #include "cabinet_articulation/geometry/plane.h"
+#include "cabinet_articulation/planes/connected_runs.h"
 #include "cabinet_articulation/planes/planes_config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
@@ -14,12 +16,7 @@ namespace cabinet_articulation::core {
 /// plenty, because block matching makes neighbours nearly equal.
 constexpr int kCell = 2;  ///< [px]
 
-/// Cells begin..end-1 of one row.
-struct CellRun {
-  int row = 0, begin = 0, end = 0;
-};
-
-/// A connected set of cells near one plane, as the runs [first_run, last_run) of its RegionSet.
+/// A connected set of cells near one plane: the runs [first_run, last_run) of its RegionSet, row by row.
 struct GrownRegion {
   DisparityPlane plane;
   int first_run = 0, last_run = 0;
@@ -43,15 +40,14 @@ class RegionGrowing {
  private:
   void shrinkDisparity(const cv::Mat1f& disparity);
   void markInPlane(const DisparityPlane& plane, const StereoCamera& camera);
-  void collectRuns(const cv::Rect& box, int label, GrownRegion* region);
-  void fitPlane(GrownRegion* region) const;
+  std::optional<DisparityPlane> fitPlane(const ConnectedRuns::Component& core) const;
+  GrownRegion growBack(const ConnectedRuns::Component& core);
 
   PlanesConfig config_;
   RegionSet set_;
+  ConnectedRuns cores_;
   cv::Mat1f disparity_;  ///< one value for each cell
-  cv::Mat1b in_plane_, core_;
-  cv::Mat1i labels_, stats_;
-  cv::Mat1d centroids_;
+  cv::Mat1b in_plane_, eroded_, grown_;
 };
 
 }  // namespace cabinet_articulation::core
