@@ -36,13 +36,20 @@ size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string yamlNumber(double value) {
+  std::string text;
   for (int digits = 1; digits <= 17; ++digits) {
-    std::ostringstream text;
-    text.precision(digits);
-    text << value;
-    if (std::stod(text.str()) == value) return text.str();
+    std::ostringstream stream;
+    stream.precision(digits);
+    stream << value;
+    text = stream.str();
+    // 20 rather than 2e+01; the exponent stays for what is really large or small.
+    const bool needless_exponent = text.find('e') != std::string::npos && std::abs(value) >= 1e-4 && std::abs(value) < 1e15;
+    if (std::stod(text) == value && !needless_exponent) break;
   }
-  return std::to_string(value);
+  // YAML 1.1, which roslaunch reads, takes 1e-05 for a text and 1.0e-05 for a number.
+  const size_t exponent = text.find('e');
+  if (exponent != std::string::npos && text.find('.') == std::string::npos) text.insert(exponent, ".0");
+  return text;
 }
 
 std::string describe(const ConfigValue& value) {

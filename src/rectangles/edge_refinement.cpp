@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "cabinet_articulation/rectangles/edge_step.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -18,21 +20,21 @@ struct EdgeShift {
 };
 
 bool trusted(const EdgeStep& step, const RectanglesConfig& config) {
-  return step.inside - step.outside > config.edge_contrast && step.inside > config.edge_agreement;
+  return step.contrast > config.edge_contrast && step.inside < std::log(1 - config.edge_agreement);
 }
 
-EdgeShift measure(const PlaneChart& chart, const DisparityPlane& plane, const DepthFrame& frame, const PlaneRectangle& rectangle,
+EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const DepthFrame& frame, const PlaneRectangle& rectangle,
                   Edge edge, const RectanglesConfig& config) {
   EdgeShift shift;
   const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
   if (!image) return shift;
-  const EdgeProfile profile(frame, plane, *image);
-  const EdgeStep step = fitStep(profile.correlations());
+  const EdgeProfile profile(frame, region, *image);
+  const EdgeStep step = findStep(profile.whole());
   if (!trusted(step, config)) return shift;
   shift.confirmed = true;
   shift.distance = step.offset * image->metres_per_pixel;
-  const EdgeStep first = fitStep(profile.correlationsOfHalf(0));
-  const EdgeStep second = fitStep(profile.correlationsOfHalf(1));
+  const EdgeStep first = findStep(profile.half(0));
+  const EdgeStep second = findStep(profile.half(1));
   if (!trusted(first, config) || !trusted(second, config)) return shift;
   // The edge runs counter-clockwise, so if its second half lies further out the rectangle must turn clockwise.
   const double length = rectangle.side(1 - edgeAxis(edge));
@@ -43,7 +45,7 @@ EdgeShift measure(const PlaneChart& chart, const DisparityPlane& plane, const De
 
 }  // namespace
 
-RefinedRectangle refineEdges(const PlaneChart& chart, const DisparityPlane& plane, const DepthFrame& frame,
+RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const DepthFrame& frame,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config) {
   RefinedRectangle result;
   result.rectangle = rectangle;
@@ -52,7 +54,7 @@ RefinedRectangle refineEdges(const PlaneChart& chart, const DisparityPlane& plan
     const PlaneRectangle start = result.rectangle;
     double turn = 0, weight = 0;
     for (const Edge edge : kEdges) {
-      const EdgeShift shift = measure(chart, plane, frame, start, edge, config);
+      const EdgeShift shift = measure(chart, region, frame, start, edge, config);
       result.confirmed[edge] = shift.confirmed;
       result.rectangle.moveEdge(edge, shift.distance);
       turn += shift.turn_weight * shift.turn;

@@ -9,11 +9,12 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kSamples = 32;           ///< per edge
-constexpr double kInside = 4;          ///< [px] beyond the blur of block matching, which nibbles at edges
-constexpr double kOutsideBegin = 3;    ///< [px]
-constexpr double kOutsideEnd = 14;     ///< [px] block matching carries a front's depth up to a window's half beyond it
-constexpr double kUnknownShare = 0.5;  ///< worth of a sample that ends in pixels without depth
+constexpr int kSamples = 32;         ///< per edge
+constexpr double kInside = 4;        ///< [px] beyond the blur of block matching, which nibbles at edges
+constexpr double kDeepInside = 9;    ///< [px] beyond what a surface along the edge (a door's side) claims of the front
+constexpr double kOutsideBegin = 3;  ///< [px]
+constexpr double kOutsideEnd = 14;   ///< [px] block matching carries a front's depth up to a window's half beyond it
+constexpr double kUndecided = 0.5;   ///< worth of a sample that ends in another region of nearly the same plane, or without depth
 
 bool contains(const cv::Mat1b& mask, const Eigen::Vector2d& pixel) {
   return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < mask.cols - 0.5 && pixel.y() < mask.rows - 0.5;
@@ -23,22 +24,30 @@ std::uint8_t label(const cv::Mat1b& mask, const Eigen::Vector2d& pixel) {
   return mask(static_cast<int>(pixel.y() + 0.5), static_cast<int>(pixel.x() + 0.5));
 }
 
-/// What the first surface beyond the edge says: 1 an edge, 0 none seen.
-double lookOutside(const cv::Mat1b& mask, const Eigen::Vector2d& pixel, const Eigen::Vector2d& outward) {
-  double found = 0;
+bool seenInside(const cv::Mat1b& mask, const Eigen::Vector2d& pixel, const Eigen::Vector2d& outward) {
+  for (const double distance : {kInside, kDeepInside}) {
+    const Eigen::Vector2d inside = pixel - distance * outward;
+    if (!contains(mask, inside)) return false;
+    if (label(mask, inside) != kOtherPlane) return label(mask, inside) == kInPlane;
+  }
+  return false;
+}
+
+/// 1 if the first surface beyond the edge is farther away, 0 if it hides the edge or there is none.
+double lookOutside(const cv::Mat1b& mask, const Eigen::Vector2d& pixel, const Eigen::Vector2d& outward, bool confirmed) {
+  double found = confirmed ? 1 : 0;
   for (double distance = kOutsideBegin; distance <= kOutsideEnd; distance += 1) {
     const Eigen::Vector2d outside = pixel + distance * outward;
-    if (!contains(mask, outside)) return found;
+    if (!contains(mask, outside)) return 0;
     switch (label(mask, outside)) {
       case kFree:
-      case kOtherPlane:
         return 1;
       case kOccluded:
         return 0;
       case kInPlane:
         break;
       default:
-        found = kUnknownShare;
+        found = kUndecided;
     }
   }
   return found;
@@ -46,7 +55,8 @@ double lookOutside(const cv::Mat1b& mask, const Eigen::Vector2d& pixel, const Ei
 
 }  // namespace
 
-std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Mat1b& mask) {
+std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Mat1b& mask,
+                                 const std::array<bool, 4>& confirmed) {
   std::array<float, 4> support{{0, 0, 0, 0}};
   const Eigen::Vector2d half(rectangle.width / 2, rectangle.height / 2);
   for (const Edge edge : kEdges) {
@@ -59,9 +69,8 @@ std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& 
       const Eigen::Vector2d point = rectangle.center + half[axis] * outward + t * half[1 - axis] * along;
       const Eigen::Vector2d pixel = chart.toPixel(point);
       const Eigen::Vector2d direction = (chart.toPixel(point + 0.01 * outward) - pixel).normalized();
-      const Eigen::Vector2d inside = pixel - kInside * direction;
-      if (!contains(mask, pixel) || !contains(mask, inside) || label(mask, inside) != kInPlane) continue;
-      observed += lookOutside(mask, pixel, direction);
+      if (!contains(mask, pixel) || !seenInside(mask, pixel, direction)) continue;
+      observed += lookOutside(mask, pixel, direction, confirmed[edge]);
     }
     support[edge] = static_cast<float>(observed / kSamples);
   }

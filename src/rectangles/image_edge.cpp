@@ -23,6 +23,8 @@ std::optional<ImageEdge> imageEdge(const PlaneChart& chart, const PlaneRectangle
   const Eigen::Vector2d moved = (chart.toPixel(middle + kProbe * rectangle.outward(edge)) - chart.toPixel(middle)) / kProbe;
   image.outward = Eigen::Vector2d(along.y(), -along.x()).normalized();
   if (image.outward.dot(moved) < 0) image.outward = -image.outward;
+  const Eigen::Vector2d opposite = rectangle.center - rectangle.outward(edge) * (rectangle.side(edgeAxis(edge)) / 2);
+  image.depth = image.outward.dot(image.a - chart.toPixel(opposite));
   const double pixels_per_metre = image.outward.dot(moved);
   if (!(pixels_per_metre > 0)) return std::nullopt;
   image.metres_per_pixel = 1 / pixels_per_metre;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cabinet_articulation::core {
 namespace {
@@ -10,11 +11,6 @@ namespace {
 constexpr double kSameOverlap = 0.5;    ///< IoU; two fits of one surface share more
 constexpr double kSameDistance = 0.03;  ///< [m] along the normal
 constexpr double kSameNormal = 0.94;    ///< cos 20 deg; planes of small fronts tilt by several degrees
-
-bool sameSurface(const Rectangle& a, const Rectangle& b) {
-  return a.normal().dot(b.normal()) > kSameNormal && std::abs(a.plane().distance(b.center())) < kSameDistance &&
-         intersectionOverUnion(a, b) > kSameOverlap;
-}
 
 }  // namespace
 
@@ -29,10 +25,22 @@ double recall(const LabelCounts& counts, int region_inliers) {
   return region_inliers > 0 ? std::min(1.0, static_cast<double>(counts.in_plane) / region_inliers) : 0;
 }
 
-bool acceptable(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config) {
+bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config) {
   const auto [shorter, longer] = std::minmax(rectangle.rectangle.width, rectangle.rectangle.height);
   return shorter >= config.min_side && longer <= config.max_side && rectangle.precision > config.min_precision &&
          rectangle.recall > config.min_recall && counts.in_plane >= config.min_visible * counts.total();
+}
+
+bool bounded(const std::array<float, 4>& edge_support, const RectanglesConfig& config) {
+  const float across_x = std::max(edge_support[kEdgeMinusX], edge_support[kEdgePlusX]);
+  const float across_y = std::max(edge_support[kEdgeMinusY], edge_support[kEdgePlusY]);
+  const float sum = std::accumulate(edge_support.begin(), edge_support.end(), 0.F);
+  return sum >= config.min_observed_edges && std::min(across_x, across_y) >= config.min_observed_across;
+}
+
+bool sameSurface(const Rectangle& a, const Rectangle& b) {
+  return a.normal().dot(b.normal()) > kSameNormal && std::abs(a.plane().distance(b.center())) < kSameDistance &&
+         intersectionOverUnion(a, b) > kSameOverlap;
 }
 
 std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config) {

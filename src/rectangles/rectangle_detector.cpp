@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -28,7 +29,7 @@ std::optional<PlaneChart> chartOf(const PlaneRegion& region, const StereoCamera&
   return PlaneChart::at(region.plane, camera, {middle.x, middle.y});
 }
 
-/// Fills everything but the pose covariance, which only accepted rectangles need.
+/// Eqs. (4) and (5); nothing for a rectangle that does not fill its region.
 std::optional<SupportedRectangle> assess(const PlaneChart& chart, const PlaneRectangle& rectangle, const PlaneRegion& region,
                                          const RectangleObjective& objective, const RectanglesConfig& config) {
   const std::optional<ImageQuad> quad = chart.project(rectangle);
@@ -37,11 +38,15 @@ std::optional<SupportedRectangle> assess(const PlaneChart& chart, const PlaneRec
   SupportedRectangle result;
   result.support = counts.in_plane;
   result.detection.rectangle = chart.toSpace(rectangle);
-  result.detection.precision = precision(counts, config);    // Eq. (4)
-  result.detection.recall = recall(counts, region.inliers);  // Eq. (5)
-  if (!acceptable(result.detection, counts, config)) return std::nullopt;
-  result.detection.edge_support = edgeSupport(chart, rectangle, region.mask);
+  result.detection.precision = precision(counts, config);
+  result.detection.recall = recall(counts, region.inliers);
+  if (!fillsRegion(result.detection, counts, config)) return std::nullopt;
   return result;
+}
+
+/// True if a rectangle is where a track has been.
+bool tracked(const Rectangle& rectangle, const std::vector<Rectangle>& expected) {
+  return std::any_of(expected.begin(), expected.end(), [&](const Rectangle& track) { return sameSurface(track, rectangle); });
 }
 
 /// The size of a track stays where the images do not place both edges: an edge that they place carries the other along.
@@ -86,10 +91,12 @@ std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& fram
     const std::optional<RegionFit> fit = fitRegion(region, *chart, objective, expected, config_);
     if (!fit || !assess(*chart, fit->rectangle, region, objective, config_)) continue;
     RefinedRectangle refined{fit->rectangle, {}};
-    if (config_.refine_edges) refined = refineEdges(*chart, region.disparity_plane, frame, fit->rectangle, config_);
+    if (config_.refine_edges) refined = refineEdges(*chart, region, frame, fit->rectangle, config_);
     if (fit->guided) refined.rectangle = keepSize(fit->rectangle, refined);
     std::optional<SupportedRectangle> result = assess(*chart, refined.rectangle, region, objective, config_);
     if (!result) continue;
+    result->detection.edge_support = edgeSupport(*chart, refined.rectangle, region.mask, refined.confirmed);
+    if (!bounded(result->detection.edge_support, config_) && !tracked(result->detection.rectangle, expected)) continue;
     std::array<EdgeObservation, 4> edges;
     for (const Edge edge : kEdges) edges[edge] = {result->detection.edge_support[edge], refined.confirmed[edge]};
     result->detection.covariance = rectangleCovariance(*chart, refined.rectangle, edges, region, frame);

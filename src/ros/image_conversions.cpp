@@ -27,7 +27,7 @@ template <class Value, class Expected>
   fail(topic, text.str());
 }
 
-std::string sizeText(unsigned width, unsigned height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 /// The rows of an image message as a matrix that shares its memory; checks that the memory is there.
 cv::Mat pixels(const sensor_msgs::Image& image, const std::string& topic, int type) {
@@ -118,13 +118,17 @@ cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, cons
   return guarded(topic, [&] { return cv_bridge::toCvShare(image); });
 }
 
+void requireSize(const cv::Mat& image, const core::StereoCamera& camera, const std::string& topic) {
+  if (image.cols == camera.width && image.rows == camera.height) return;
+  fail(topic, "size is " + sizeText(image.cols, image.rows) + ", expected " + sizeText(camera.width, camera.height) +
+                  " as its CameraInfo says");
+}
+
 cv::Mat1f toDisparities(const stereo_msgs::DisparityImage& message, const std::string& topic, const core::StereoCamera& camera) {
   const sensor_msgs::Image& image = message.image;
   if (image.encoding != encodings::TYPE_32FC1) fail(topic, "encoding is '" + image.encoding + "', expected '32FC1'");
-  if (static_cast<int>(image.width) != camera.width || static_cast<int>(image.height) != camera.height)
-    fail(topic, "size is " + sizeText(image.width, image.height) + ", expected the camera's " +
-                    sizeText(static_cast<unsigned>(camera.width), static_cast<unsigned>(camera.height)));
   const cv::Mat1f disparities = pixels(image, topic, CV_32FC1);
+  requireSize(disparities, camera, topic);
   const double no_match = message.min_disparity - 1 - camera.cx_difference;
   if (!(no_match > 0)) return disparities;
   cv::Mat1f cleaned;

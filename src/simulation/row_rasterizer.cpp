@@ -39,34 +39,37 @@ RowRasterizer::RowRasterizer(const PinholeView& view, const std::vector<Surface>
   for (size_t i = 0; i < surfaces.size(); ++i) {
     Rectangle rectangle = surfaces[i].rectangle;
     rectangle.pose = T_view_surfaces * rectangle.pose;
-    const Eigen::Vector3d normal = rectangle.normal();
-    const double offset = normal.dot(rectangle.center());
-    if (offset >= 0) continue;
-    Polygon polygon;
-    polygon.surface = static_cast<int>(i);
-    polygon.inverse_depth[0] = normal.x() / view.focal / offset;
-    polygon.inverse_depth[1] = normal.y() / view.focal / offset;
-    polygon.inverse_depth[2] = normal.z() / offset - polygon.inverse_depth[0] * view.cx - polygon.inverse_depth[1] * view.cy;
-    const std::vector<Eigen::Vector3d> corners = clipNear(rectangle.corners());
-    std::vector<Eigen::Vector2d> pixels;
-    for (const Eigen::Vector3d& p : corners)
-      pixels.emplace_back(view.focal * p.x() / p.z() + view.cx, view.focal * p.y() / p.z() + view.cy);
-    polygon.top = std::numeric_limits<double>::infinity();
-    polygon.bottom = -polygon.top;
-    double left = polygon.top, right = -polygon.top;
-    for (size_t k = 0; k < pixels.size(); ++k) {
-      const Eigen::Vector2d& p = pixels[k];
-      const Eigen::Vector2d& next = pixels[(k + 1) % pixels.size()];
-      if (p.y() != next.y())
-        polygon.edges.push_back(
-            {p.x(), p.y(), (next.x() - p.x()) / (next.y() - p.y()), std::min(p.y(), next.y()), std::max(p.y(), next.y())});
-      polygon.top = std::min(polygon.top, p.y());
-      polygon.bottom = std::max(polygon.bottom, p.y());
-      left = std::min(left, p.x());
-      right = std::max(right, p.x());
-    }
-    if (polygon.bottom > 0 && polygon.top < view.height && right > 0 && left < view.width) polygons_.push_back(polygon);
+    if (rectangle.normal().dot(rectangle.center()) < 0) add(rectangle, static_cast<int>(i));
   }
+}
+
+void RowRasterizer::add(const Rectangle& rectangle, int surface) {
+  Polygon polygon;
+  polygon.surface = surface;
+  // The plane n.p = h gives 1/z = n.r / h for the ray r with z = 1.
+  const Eigen::Vector3d scaled_normal = rectangle.normal() / rectangle.normal().dot(rectangle.center());
+  polygon.inverse_depth[0] = scaled_normal.x() / view_.focal;
+  polygon.inverse_depth[1] = scaled_normal.y() / view_.focal;
+  polygon.inverse_depth[2] = scaled_normal.z() - polygon.inverse_depth[0] * view_.cx - polygon.inverse_depth[1] * view_.cy;
+  Eigen::AlignedBox2d bounds;
+  std::vector<Eigen::Vector2d> pixels;
+  for (const Eigen::Vector3d& p : clipNear(rectangle.corners())) {
+    pixels.emplace_back(view_.focal * p.x() / p.z() + view_.cx, view_.focal * p.y() / p.z() + view_.cy);
+    bounds.extend(pixels.back());
+  }
+  if (pixels.empty() ||
+      !bounds.intersects(Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(view_.width, view_.height))))
+    return;
+  polygon.top = bounds.min().y();
+  polygon.bottom = bounds.max().y();
+  for (size_t k = 0; k < pixels.size(); ++k) {
+    const Eigen::Vector2d& p = pixels[k];
+    const Eigen::Vector2d& next = pixels[(k + 1) % pixels.size()];
+    if (p.y() == next.y()) continue;
+    const double slope = (next.x() - p.x()) / (next.y() - p.y());
+    polygon.edges.push_back({p.x(), p.y(), slope, std::min(p.y(), next.y()), std::max(p.y(), next.y())});
+  }
+  polygons_.push_back(polygon);
 }
 
 void RowRasterizer::row(int v, float* inverse_depth, int* surface) const {

@@ -20,6 +20,8 @@ class RowRasterizer {
   void row(int v, float* inverse_depth, int* surface) const;
 
  private:
+  void add(const Rectangle& rectangle, int surface);
+
   struct Edge {
     double x, y, slope, top, bottom;
   };

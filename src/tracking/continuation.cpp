@@ -8,14 +8,19 @@
 namespace cabinet_articulation::core {
 namespace {
 
+/// In that description of the detection that needs the least motion. Nearest axes alone do not tell: a door swung by more
+/// than 90 degrees has the axes of its own back.
 std::optional<Continuation> continueFrom(const Rectangle& reference, double seconds, const DetectedRectangle& detection,
                                          const FrontSize& size, const TrackingConfig& config) {
-  const DetectedRectangle aligned = alignDescription(detection, reference);
-  if (!size.fits(aligned, config)) return std::nullopt;
-  const Rectangle placed =
-      placeOnObservedEdges(aligned, {reference.width, reference.height}, &reference, config.min_edge_support).rectangle;
-  if (!isPossibleMotion(reference, placed, seconds, config)) return std::nullopt;
-  return Continuation{cornerDistance(reference, placed), aligned, reference};
+  std::optional<Continuation> best;
+  for (int k = 0; k < kDescriptions; ++k) {
+    const DetectedRectangle described = describe(detection, k);
+    if (!size.fits(described, config)) continue;
+    const Rectangle placed = placeOnObservedEdges(described, size.known(config), &reference, config.min_edge_support).rectangle;
+    const std::optional<double> distance = motionDistance(reference, placed, seconds, config);
+    if (distance && (!best || *distance < best->distance)) best = Continuation{*distance, described, reference};
+  }
+  return best;
 }
 
 }  // namespace

@@ -15,8 +15,10 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kNone = -1;
-constexpr double kNewTrackCost = 1;          ///< [m] above any distance the gate lets through
-constexpr double kTentativeCost = 0.03;      ///< [m] of two tracks equally near, the older one is right
+constexpr double kUsualDistance = 0.02;      ///< [m] of a detection from its track
+constexpr double kNewTrackDistance = 0.2;    ///< [m] a rectangle farther from every track rather is a new front
+constexpr double kProposedSigma = 0.03;      ///< [m] of a size good enough to be searched for
+constexpr double kTentativeDistance = 0.03;  ///< [m] of two tracks equally near, the confirmed one is right
 constexpr double kResizeStep = 0.002;        ///< [m] smaller changes of the size are not worth placing the history anew
 constexpr double kRotationTolerance = 1e-3;  ///< entries of R R^T - I of a pose that is meant to be a rotation
 
@@ -28,6 +30,9 @@ bool isUsable(const DetectedRectangle& detection) {
          (R * R.transpose()).isIdentity(kRotationTolerance) && R.determinant() > 0;
 }
 
+/// Heavy-tailed, so that one good pair and one new track beat two doubtful pairs.
+double cost(double distance) { return std::log1p(std::pow(distance / kUsualDistance, 2)); }
+
 /// Two rectangles of one frame that show the same front: they overlap by a good part and lie in one plane.
 bool isDuplicate(const Rectangle& a, const Rectangle& b) {
   constexpr double kOverlap = 0.3, kDistance = 0.02, kCosine = 0.995;  // -, m, 6 degrees
@@ -36,8 +41,7 @@ bool isDuplicate(const Rectangle& a, const Rectangle& b) {
 }
 
 /// All observations with the track's new size, from the newest back: the size was known worst at the beginning.
-void placeAnew(Track& track, double min_support) {
-  const Eigen::Vector2d size(track.width, track.height);
+void placeAnew(Track& track, const KnownSize& size, double min_support) {
   const Rectangle* later = nullptr;
   for (auto observation = track.observations.rbegin(); observation != track.observations.rend(); ++observation) {
     DetectedRectangle detection;
@@ -79,8 +83,15 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
 
 std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
   std::vector<Rectangle> places;
-  for (const Track& track : tracks_)
-    if (isConfirmed(track)) places.push_back(extrapolate(track.observations, stamp, config_.prediction_horizon));
+  for (size_t i = 0; i < tracks_.size(); ++i) {
+    const Track& track = tracks_[i];
+    const KnownSize size = sizes_[i].known(config_);
+    const bool lost = last_stamp_ - track.observations.back().stamp > config_.tentative_timeout;
+    if (!isConfirmed(track) || lost || size.sigma.maxCoeff() > kProposedSigma) continue;
+    places.push_back(extrapolate(track.observations, stamp, config_.prediction_horizon));
+    places.back().width = size.value.x();
+    places.back().height = size.value.y();
+  }
   return places;
 }
 
@@ -104,31 +115,31 @@ void RectangleTracker::endTracks(double stamp) {
 }
 
 std::vector<int> RectangleTracker::assignRectangles(double stamp, const std::vector<DetectedRectangle>& rectangles) const {
-  Eigen::MatrixXd cost(rectangles.size(), tracks_.size());
+  constexpr double kForbidden = std::numeric_limits<double>::infinity();
+  Eigen::MatrixXd costs(rectangles.size(), tracks_.size());
   for (size_t i = 0; i < rectangles.size(); ++i) {
     for (size_t j = 0; j < tracks_.size(); ++j) {
       const auto found = findContinuation(tracks_[j], sizes_[j], rectangles[i], stamp, config_);
-      cost(i, j) =
-          found ? found->distance + (isConfirmed(tracks_[j]) ? 0 : kTentativeCost) : std::numeric_limits<double>::infinity();
+      costs(i, j) = found ? cost(found->distance + (isConfirmed(tracks_[j]) ? 0 : kTentativeDistance)) : kForbidden;
     }
   }
-  return assignRows(cost, kNewTrackCost);
+  return assignRows(costs, cost(kNewTrackDistance));
 }
 
 void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, FrontSize& size) {
   const Continuation found = *findContinuation(track, size, rectangle, stamp, config_);
   const DetectedRectangle& measured = found.measured;
-  size.add(measured, config_);
-  const bool resized = (size.value() - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep;
+  size.add(measured);
+  const KnownSize known = size.known(config_);
+  const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep;
   if (resized) {
-    track.width = size.value().x();
-    track.height = size.value().y();
+    track.width = known.value.x();
+    track.height = known.value.y();
   }
-  const DetectedRectangle placed =
-      placeOnObservedEdges(measured, {track.width, track.height}, &found.reference, config_.min_edge_support);
+  const DetectedRectangle placed = placeOnObservedEdges(measured, known, &found.reference, config_.min_edge_support);
   track.observations.push_back(
       {stamp, placed.rectangle, placed.covariance, measured.edge_support, measured.rectangle, measured.covariance});
-  if (resized) placeAnew(track, config_.min_edge_support);
+  if (resized) placeAnew(track, known, config_.min_edge_support);
   const bool thinned = thinOut(track.observations, config_.max_observations);
   if (resized || thinned) ++track.revision;
 }
@@ -156,7 +167,7 @@ void RectangleTracker::startTracks(double stamp, const std::vector<DetectedRecta
         {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
     tracks_.push_back(std::move(track));
     sizes_.emplace_back();
-    sizes_.back().add(detection, config_);
+    sizes_.back().add(detection);
   }
 }
 

@@ -84,6 +84,14 @@ TEST(Config, ReadsBackWhatItPrints) {
   std::remove(path.c_str());
 }
 
+TEST(Config, PrintsNumbersThatEveryYamlReaderTakesForNumbers) {
+  EXPECT_EQ(detail::yamlNumber(20), "20");
+  EXPECT_EQ(detail::yamlNumber(1000000), "1000000");
+  EXPECT_EQ(detail::yamlNumber(0.001), "0.001");
+  EXPECT_EQ(detail::yamlNumber(1e-5), "1.0e-05");
+  EXPECT_EQ(detail::yamlNumber(0.1), "0.1");
+}
+
 TEST(Config, NamesTheFileThatCannotBeRead) {
   std::vector<std::string> warnings;
   try {

@@ -18,7 +18,7 @@ class EdgeRefinementTest : public testing::Test {
 
   RefinedRectangle refine(const Rectangle& start) const {
     const PlaneChart chart = *PlaneChart::at(front_.plane(), frame_.camera, frame_.camera.project(front_.center()));
-    return refineEdges(chart, *toDisparityPlane(front_.plane(), frame_.camera), frame_, chart.fromSpace(start), {});
+    return refineEdges(chart, frontRegion(front_, frame_.camera), frame_, chart.fromSpace(start), {});
   }
 
   Rectangle inSpace(const PlaneRectangle& rectangle) const {
@@ -54,6 +54,36 @@ TEST_F(EdgeRefinementTest, LeavesAnEdgeAloneThatContinuesInThePlane) {
   EXPECT_TRUE(refined.confirmed[kEdgeMinusY]);
   EXPECT_TRUE(refined.confirmed[kEdgePlusY]);
   EXPECT_NEAR(refined.rectangle.width, front_.width, 1e-9);
+}
+
+TEST_F(EdgeRefinementTest, FindsAnEdgeWhereTheSideOfTheBodyBegins) {
+  // The camera sees the right side of the drawer, perpendicular to the front; its disparity leaves the front's by only
+  // 0.1 px a pixel, so that the masks of block matching reach some 8 px over it.
+  Rectangle side;
+  side.pose.linear() << -front_.pose.linear().col(2), front_.pose.linear().col(1), front_.pose.linear().col(0);
+  side.pose.translation() = front_.pose * Eigen::Vector3d(front_.width / 2, 0, -0.15);
+  side.width = 0.3;
+  side.height = front_.height;
+  ASSERT_LT(side.normal().dot(side.center()), -0.1);  // it faces the camera
+  render({{front_, 1}, {side, 3}, {wall_, 2}});
+  Rectangle start = front_;
+  start.width += 0.015;
+  start.pose.translation() += start.pose.linear() * Eigen::Vector3d(0.0075, 0, 0);
+  const RefinedRectangle refined = refine(start);
+  EXPECT_TRUE(refined.confirmed[kEdgePlusX]);
+  EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.004);  // two pixels
+}
+
+TEST_F(EdgeRefinementTest, AHandOverTheEdgeDoesNotBendIt) {
+  Rectangle hand = exampleFront({0.05, 0.06, 1.2}, 0.07, 0.2, 0, 0, 0.3);
+  render({{front_, 1}, {hand, 5}, {wall_, 2}});
+  PlaneRegion region = frontRegion(front_, frame_.camera);
+  region.mask.setTo(kOccluded, footprint(hand, frame_.camera));
+  Rectangle start = front_;
+  start.height += 0.008;
+  const PlaneChart chart = *PlaneChart::at(front_.plane(), frame_.camera, frame_.camera.project(front_.center()));
+  const RefinedRectangle refined = refineEdges(chart, region, frame_, chart.fromSpace(start), {});
+  EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.003);
 }
 
 TEST_F(EdgeRefinementTest, ChangesNothingWithoutImages) {

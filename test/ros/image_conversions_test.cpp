@@ -147,7 +147,7 @@ TEST(DisparityConversion, NamesTopicAndElementOfABadImage) {
   EXPECT_EQ(error(), "/stereo/disparity: encoding is '16UC1', expected '32FC1'");
   message.image.encoding = "32FC1";
   message.image.height = 200;
-  EXPECT_EQ(error(), "/stereo/disparity: size is 320x200, expected the camera's 320x240");
+  EXPECT_EQ(error(), "/stereo/disparity: size is 320x200, expected 320x240 as its CameraInfo says");
   message.image.height = 240;
   message.image.data.resize(1000);
   EXPECT_EQ(error(), "/stereo/disparity: holds 1000 bytes in rows of 1280, too few for 320x240 pixels");

@@ -102,10 +102,16 @@ TEST(CabinetScenes, SeedAloneDecides) {
   EXPECT_NE(a.joints[0].front.width, c.joints[0].front.width);
 }
 
-TEST(CabinetScenes, ArmStartsAtTheGripAndPointsToTheShoulder) {
+TEST(CabinetScenes, ArmIsRoundStartsAtTheGripAndPointsToTheShoulder) {
   const Eigen::Vector3d grip(0.1, -0.2, 0.5), shoulder(0.2, -0.8, 1.4);
+  const Eigen::Vector3d forward = (shoulder - grip).normalized();
   double nearest = 1, along = 0;
   for (const Surface& surface : makeArm(grip, shoulder)) {
+    const Rectangle& side = surface.rectangle;
+    const Eigen::Vector3d from_axis = (side.center() - grip) - forward * forward.dot(side.center() - grip);
+    const bool is_cap = std::abs(side.normal().dot(forward)) > 0.5;
+    EXPECT_GT(is_cap ? -side.normal().dot(forward) : side.normal().dot(from_axis), 0.01) << "faces outward";
+    EXPECT_TRUE(is_cap || side.width < 0.045) << side.width << " m wide: looks like a front";
     for (const Eigen::Vector3d& corner : surface.rectangle.corners()) {
       nearest = std::min(nearest, (corner - grip).norm());
       along = std::max(along, (corner - grip).dot((shoulder - grip).normalized()));

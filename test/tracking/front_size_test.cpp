@@ -44,10 +44,10 @@ TEST(LengthEstimate, SpreadIsThatOfTheCentralTwoThirds) {
 TEST(FrontSize, ToleranceShrinksWithCertainty) {
   const TrackingConfig config;
   FrontSize size;
-  size.add(sized(0.4, 0.6), config);
+  size.add(sized(0.4, 0.6));
   const DetectedRectangle wide = sized(0.47, 0.6);
   EXPECT_TRUE(size.fits(wide, config)) << "after one observation the front may still be 7 cm wider";
-  for (int i = 0; i < 50; ++i) size.add(sized(0.4, 0.6), config);
+  for (int i = 0; i < 50; ++i) size.add(sized(0.4, 0.6));
   EXPECT_FALSE(size.fits(wide, config));
   EXPECT_TRUE(size.fits(sized(0.43, 0.6), config));
   EXPECT_FALSE(size.fits(sized(0.6, 0.4), config)) << "a quarter turn is another front";
@@ -56,13 +56,29 @@ TEST(FrontSize, ToleranceShrinksWithCertainty) {
 TEST(FrontSize, AnUnobservedEdgeDoesNotBreakTheGate) {
   const TrackingConfig config;
   FrontSize size;
-  for (int i = 0; i < 50; ++i) size.add(sized(0.4, 0.6), config);
+  for (int i = 0; i < 50; ++i) size.add(sized(0.4, 0.6));
   EXPECT_TRUE(size.fits(sized(0.2, 0.6, {0, 1, 1, 1}), config)) << "half hidden";
   EXPECT_TRUE(size.fits(sized(0.53, 0.6, {1, 0.2F, 1, 1}), config)) << "merged with its neighbour";
   EXPECT_FALSE(size.fits(sized(0.2, 0.6), config)) << "both edges seen";
   EXPECT_FALSE(size.fits(sized(1.5, 0.6, {0, 0, 1, 1}), config)) << "a wall is no front";
-  size.add(sized(0.2, 0.6, {0, 1, 1, 1}), config);
-  EXPECT_NEAR(size.value().x(), 0.4, 1e-3);
+  size.add(sized(0.2, 0.6, {0, 1, 1, 1}));
+  EXPECT_NEAR(size.known(config).value.x(), 0.4, 1e-3);
+}
+
+TEST(FrontSize, ABetterObservedLengthOutweighsWorseOnes) {
+  FrontSize size;
+  for (int i = 0; i < 3; ++i) size.add(sized(0.68, 0.6, {0.1F, 0.9F, 1, 1}));
+  size.add(sized(0.4, 0.6, {0.45F, 0.9F, 1, 1}));
+  EXPECT_NEAR(size.known(TrackingConfig()).value.x(), 0.4, 1e-3);
+}
+
+TEST(FrontSize, ALengthThatWasNeverObservedBindsNobody) {
+  const TrackingConfig config;
+  FrontSize size;
+  for (int i = 0; i < 3; ++i) size.add(sized(0.68, 0.6, {0, 1, 1, 1}));  // merged with its neighbour while closed
+  EXPECT_TRUE(size.fits(sized(0.4, 0.6), config));
+  EXPECT_NEAR(size.known(config).sigma.x(), 0.3, 1e-3);
+  EXPECT_LT(size.known(config).sigma.y(), 0.02);
 }
 
 }  // namespace

@@ -12,39 +12,59 @@ namespace {
 
 const TrackingConfig config;
 
+bool canMove(const Rectangle& from, const Rectangle& to, double seconds) {
+  return motionDistance(from, to, seconds, config).has_value();
+}
+
 TEST(MotionGate, DoorsSwingAndDrawersComeOut) {
   const Rectangle door = closedFront();
-  EXPECT_TRUE(isPossibleMotion(door, swung(door, 0.35), 0.067, config)) << "a fast pull between two frames";
-  EXPECT_FALSE(isPossibleMotion(door, swung(door, 1.5), 0.067, config));
-  EXPECT_TRUE(isPossibleMotion(door, swung(door, 1.5), 1, config)) << "unseen for a second";
-  EXPECT_TRUE(isPossibleMotion(swung(door, 1.5), door, 1, config)) << "and back";
+  EXPECT_TRUE(canMove(door, swung(door, 0.35), 0.067)) << "a fast pull between two frames";
+  EXPECT_FALSE(canMove(door, swung(door, 1.5), 0.067));
+  EXPECT_TRUE(canMove(door, swung(door, 1.5), 1)) << "unseen for a second";
   const Rectangle drawer = closedFront(0, 0.395, 0.125);
-  EXPECT_TRUE(isPossibleMotion(drawer, pulled(drawer, 0.1), 0.067, config));
-  EXPECT_FALSE(isPossibleMotion(drawer, pulled(drawer, 0.4), 0.067, config));
-  EXPECT_TRUE(isPossibleMotion(drawer, pulled(drawer, 0.4), 1, config));
+  EXPECT_TRUE(canMove(drawer, pulled(drawer, 0.1), 0.067));
+  EXPECT_FALSE(canMove(drawer, pulled(drawer, 0.4), 0.067));
+  EXPECT_TRUE(canMove(drawer, pulled(drawer, 0.4), 1));
 }
 
 TEST(MotionGate, NeighboursOfEqualSizeAreNotTheFrontHoweverLongItIsUnseen) {
   const Rectangle door = closedFront();
   const Rectangle neighbour = closedFront(door.width);
-  for (double q = 0; q < 1.6; q += 0.1) EXPECT_FALSE(isPossibleMotion(door, swung(neighbour, q), 20, config)) << q;
+  for (double q = 0; q < 1.6; q += 0.1) EXPECT_FALSE(canMove(door, swung(neighbour, q), 20)) << q;
   Rectangle drawer = closedFront(0, 0.395, 0.125);
   Rectangle below = drawer;
   below.pose.translate(Eigen::Vector3d(0, -0.128, 0));
-  for (double q = 0; q < 0.4; q += 0.02) EXPECT_FALSE(isPossibleMotion(drawer, pulled(below, q), 20, config)) << q;
+  for (double q = 0; q < 0.4; q += 0.02) EXPECT_FALSE(canMove(drawer, pulled(below, q), 20)) << q;
+}
+
+TEST(MotionGate, TheSidesOfABoxAreNotItsFrontSwungInward) {
+  const Rectangle front = closedFront(0, 0.4, 0.4);
+  EXPECT_FALSE(canMove(front, swung(front, -M_PI / 2), 2));
+  EXPECT_FALSE(canMove(front, describe(swung(front, -M_PI / 2), 6), 2)) << "nor in another description";
+  EXPECT_TRUE(canMove(front, swung(front, M_PI / 2), 2));
+  EXPECT_TRUE(canMove(swung(front, 0.3), front, 0.067)) << "while it is watched a door may close";
 }
 
 TEST(MotionGate, NoFrontTurnsAboutItsNormal) {
   const Rectangle front = closedFront();
   Rectangle turned = front;
   turned.pose.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
-  EXPECT_FALSE(isPossibleMotion(front, turned, 20, config));
+  EXPECT_FALSE(canMove(front, turned, 20));
 }
 
 TEST(MotionGate, AJumpOfAMetreIsNoMotion) {
   const Rectangle front = closedFront();
-  EXPECT_FALSE(isPossibleMotion(front, closedFront(1), 20, config));
-  EXPECT_FALSE(isPossibleMotion(front, pulled(front, 1), 20, config));
+  EXPECT_FALSE(canMove(front, closedFront(1), 20));
+  EXPECT_FALSE(canMove(front, pulled(front, 1), 20));
+}
+
+TEST(MotionGate, WhatFrontsDoCostsAQuarter) {
+  const Rectangle front = closedFront();
+  EXPECT_NEAR(*motionDistance(front, pulled(front, 0.1), 1, config), 0.025, 1e-9);
+  EXPECT_NEAR(*motionDistance(front, swung(front, 1), 1, config), cornerDistance(front, swung(front, 1)) / 4, 1e-9);
+  Rectangle slid = front;
+  slid.pose.translate(Eigen::Vector3d(0.05, 0, 0));
+  EXPECT_NEAR(*motionDistance(front, slid, 1, config), std::hypot(0.05, 0.05 / 4), 1e-9);
 }
 
 TEST(CornerDistance, OfAShiftAndOfATurn) {

@@ -62,8 +62,8 @@ TEST(RectangleTracker, ADrawerKeepsItsIdThroughGapsAndAFastReclosing) {
   RectangleTracker tracker({});
   for (int i = 1; i <= 150; ++i) {
     const bool hidden = (i % 40) < 15 || i % 3 == 0;
-    tracker.process(i * kFrame,
-                    hidden ? std::vector<DetectedRectangle>{} : std::vector<DetectedRectangle>{detect(drawer(i * kFrame))});
+    tracker.process(i * kFrame, hidden ? std::vector<DetectedRectangle>{}
+                                       : std::vector<DetectedRectangle>{detect.fromFront(drawer(i * kFrame))});
   }
   ASSERT_EQ(tracker.tracks().size(), 1u);
   EXPECT_EQ(tracker.tracks()[0].id, 0u);
@@ -73,10 +73,31 @@ TEST(RectangleTracker, ADrawerKeepsItsIdThroughGapsAndAFastReclosing) {
 TEST(RectangleTracker, ADoorSwungOpenBehindAHandIsTheSameDoor) {
   NoisyDetector detect(8);
   RectangleTracker tracker({});
-  for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect(swung(closedFront(), 0.02 * i))});
-  tracker.process(5 * kFrame + 1, {detect(swung(closedFront(), 1.4))});
+  for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect.fromFront(swung(closedFront(), 0.02 * i))});
+  tracker.process(5 * kFrame + 1, {detect.fromFront(swung(closedFront(), 1.4))});
   ASSERT_EQ(tracker.tracks().size(), 1u);
   EXPECT_EQ(tracker.tracks()[0].observations.size(), 6u);
+}
+
+TEST(RectangleTracker, ADoorThatClosedBehindAHandGoesBackAlongItsHistory) {
+  NoisyDetector detect(9);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 30; ++i) tracker.process(i * kFrame, {detect.fromFront(swung(closedFront(), 0.05 * i))});
+  tracker.process(4, {detect.fromFront(swung(closedFront(), 0.1))});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 31u);
+}
+
+TEST(RectangleTracker, ADoorSwungBeyond90DegreesUnseenIsNotItsOwnBack) {
+  NoisyDetector detect(10);
+  for (double q : {1.4, 1.5, 1.6, 1.7}) {
+    RectangleTracker tracker({});
+    for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect.fromFront(closedFront())});
+    tracker.process(5 * kFrame + 1, {detect.fromFront(swung(closedFront(), q))});
+    ASSERT_EQ(tracker.tracks().size(), 1u) << q;
+    const auto truth = [&](double t) { return swung(closedFront(), t > 1 ? q : 0); };
+    EXPECT_LT(largestError(tracker.tracks()[0], truth), 0.02) << q;
+  }
 }
 
 TEST(RectangleTracker, NeighboursOfEqualSizeKeepTheirIds) {
@@ -91,7 +112,7 @@ TEST(RectangleTracker, NeighboursOfEqualSizeKeepTheirIds) {
                         1.5 * opening(std::fmod(t, 10) - 5, 5) * (std::fmod(t, 10) > 5)};
     std::vector<DetectedRectangle> seen;
     for (int k = 0; k < 2; ++k)
-      if (q[k] > 0.08) seen.push_back(detect(swung(closedFront(k * width), q[k])));
+      if (q[k] > 0.08) seen.push_back(detect.fromFront(swung(closedFront(k * width), q[k])));
     tracker.process(t, seen);
     for (int k = 0; k < 2; ++k)
       for (const Track& track : tracker.tracks())
@@ -114,7 +135,7 @@ TEST(RectangleTracker, AnOccluderAcrossAnEdgeIsNoMotion) {
   NoisyDetector detect(13);
   RectangleTracker tracker({});
   for (int i = 1; i <= 60; ++i) {
-    DetectedRectangle detection = alignDescription(detect(front), front);
+    DetectedRectangle detection = detect.plain(front);
     // A hand goes over the lower edge and hides up to half of the front; near its way the right edge slides, too.
     if (i > 15 && i < 45) detection = withHiddenEdge(detection, kEdgeMinusY, 0.3 * opening(i - 15, 30));
     if (i > 20 && i < 30) detection = withHiddenEdge(detection, kEdgePlusX, -0.1);
@@ -132,7 +153,7 @@ TEST(RectangleTracker, AnOpeningDoorThatLooksTooWideIsPlacedAnew) {
   RectangleTracker tracker({});
   for (int i = 0; i < 45; ++i) {
     const double t = i * kFrame;
-    DetectedRectangle detection = alignDescription(detect(door(t)), door(t));
+    DetectedRectangle detection = detect.plain(door(t));
     if (i < 6) detection = withHiddenEdge(detection, kEdgeMinusX, -0.02 * (6 - i));
     tracker.process(t, {detection});
   }
@@ -188,6 +209,19 @@ TEST(RectangleTracker, ClutterEndsFastAndFrontsAfterTheTimeout) {
   tracker.process(0, {detect(closedFront())});
   ASSERT_EQ(tracker.tracks().size(), 1u);
   EXPECT_EQ(tracker.tracks()[0].id, 3u);
+}
+
+TEST(RectangleTracker, ProposesOnlySizesThatWereObserved) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(30);
+  const auto merged = [&](const Rectangle& front) { return withHiddenEdge(detect.plain(front), kEdgePlusX, -0.3); };
+  for (int i = 1; i <= 10; ++i) tracker.process(i * kFrame, {merged(closedFront()), detect(closedFront(2))});
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+  ASSERT_EQ(tracker.expected().size(), 1u);
+  EXPECT_NEAR(tracker.expected()[0].center().x(), 2, 0.01);
+  EXPECT_NEAR(tracker.expected()[0].width * tracker.expected()[0].height, 0.395 * 0.58, 0.005);
+  tracker.process(2, {});
+  EXPECT_TRUE(tracker.expected().empty()) << "lost";
 }
 
 TEST(RectangleTracker, AJumpOfAMetreIsAnotherFront) {

@@ -32,12 +32,23 @@ inline Rectangle swung(Rectangle front, double q) {
   return front;
 }
 
-/// A detector with the noise of a good one: 2 mm, 0.3 degrees, 4 mm of size, and any of the descriptions.
+/// A detector with the noise of a good one: 2 mm, 0.3 degrees, 4 mm of size, and any description.
 class NoisyDetector {
  public:
   explicit NoisyDetector(unsigned seed) : random_(seed) {}
 
+  /// In any of the eight descriptions.
   DetectedRectangle operator()(const Rectangle& truth) {
+    return describe(plain(truth), static_cast<int>(random_() % kDescriptions));
+  }
+
+  /// In one of the four whose normal is that of `truth`, as a front is first seen.
+  DetectedRectangle fromFront(const Rectangle& truth) {
+    return describe(plain(truth), static_cast<int>(random_() % (kDescriptions / 2)));
+  }
+
+  /// In that of `truth`.
+  DetectedRectangle plain(const Rectangle& truth) {
     DetectedRectangle detection;
     detection.rectangle = truth;
     detection.rectangle.pose.translate(Eigen::Vector3d(noise(0.002), noise(0.002), noise(0.002)));
@@ -46,7 +57,7 @@ class NoisyDetector {
     detection.rectangle.height += noise(0.004);
     detection.covariance = Matrix6d::Identity() * 4e-6;
     detection.edge_support = {1, 1, 1, 1};
-    return describe(detection, static_cast<int>(random_() % kDescriptions));
+    return detection;
   }
 
   double noise(double sigma) { return std::normal_distribution<double>(0, sigma)(random_); }

@@ -4,20 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/articulation/articulation_model.h"
-#include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/tracking/track.h"
 
 namespace cabinet_articulation::core {
-
-struct ArticulationConfig {
-  double sigma_position = 0.01;
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("sigma_position", self.sigma_position, Range{1e-4, 1}, "m", "position noise of Eq. (9)");
-  }
-};
 
 /// What is known about how one front moves. All fields as in ArticulationModel.msg, in the frame of the track.
 struct LearnedModel {
@@ -48,7 +39,8 @@ class ArticulationLearner {
   explicit ArticulationLearner(const ArticulationConfig& config);
   ~ArticulationLearner();
 
-  /// The models of all tracks given; models of tracks that are no longer given are forgotten. Ordered by id.
+  /// The models of all tracks given; models of tracks that are no longer given are forgotten. Ordered by id. A track
+  /// without any usable observation has no model; observations that are not finite are ignored.
   std::vector<LearnedModel> process(const std::vector<Track>& tracks);
 
   void reset();
@@ -58,5 +50,8 @@ class ArticulationLearner {
   ArticulationConfig config_;
   std::unique_ptr<State> state_;
 };
+
+/// All candidate models of one track, the best first; empty if no observation is usable.
+std::vector<LearnedModel> fitAllModels(const Track& track, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -4,23 +4,17 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/articulation/pose_track.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 
 namespace cabinet_articulation::core {
 
 /// Values as in ArticulationModel.msg.
 enum class JointType : std::uint8_t { kRigid = 0, kPrismatic = 1, kRotational = 2 };
-
-/// A pose track as the learner sees it: poses of one reference point of the front.
-struct PoseTrack {
-  std::vector<double> stamps;  ///< [s] ascending
-  std::vector<Eigen::Isometry3d> poses;
-  bool has_orientation = true;  ///< false: positions only (logs of three columns)
-};
 
 /// A named number of a model, for ArticulationModel.params; names as in the original release.
 struct ModelParam {
@@ -29,5 +23,73 @@ struct ModelParam {
   double value = 0;
   Kind kind = kParam;
 };
+
+/// Where a joint is, for those that want an axis rather than a function.
+struct JointGeometry {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< unit; direction of growing q, or of the right-handed turn
+  Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();  ///< rotational: of the axis, nearest to the observed point
+  double radius = 0;                                     ///< [m] rotational: from the axis to the observed point
+};
+
+/// How far a track is from a model, pose by pose.
+struct ModelResiduals {
+  std::vector<double> q;
+  std::vector<Eigen::Vector3d> position;     ///< [m] observed minus predicted, weighted as the track says
+  std::vector<Eigen::Vector3d> orientation;  ///< [rad] rotation vector, weighted likewise
+  double q_min = 0, q_max = 0;               ///< over the poses near the model
+  double path = 0;                           ///< [m] length of the path between them
+};
+
+/// One kind of joint (paper III-D.1). q is 0 at the first pose it was fitted to and grows in the direction of the first
+/// opening: q_max >= -q_min.
+class ArticulationModel {
+ public:
+  explicit ArticulationModel(const ArticulationConfig& config) : config_(config) {}
+  virtual ~ArticulationModel() = default;
+
+  virtual JointType type() const = 0;
+
+  /// Whether there is a latent configuration q.
+  virtual bool moves() const = 0;
+
+  /// Number of parameters, for the penalty of Eq. (11).
+  virtual int complexity(bool with_orientation) const = 0;
+
+  /// Estimates the parameters from a clean track (see cleaned()). A model that was fitted before starts from there. False
+  /// if the track is too short for this model; the model is then unchanged.
+  virtual bool fit(const PoseTrack& track) = 0;
+
+  /// The pose at q, Eq. (8).
+  virtual Eigen::Isometry3d predict(double q) const = 0;
+
+  /// The q whose pose is nearest: the inverse of predict().
+  virtual double configuration(const Eigen::Isometry3d& pose) const = 0;
+
+  virtual JointGeometry geometry() const = 0;
+
+  /// Covariance of geometry() as ArticulationModel.msg defines it, for the point `p` of the front instead of the observed
+  /// one. Residuals that follow one another, with a correlation of `correlation`, are accounted for.
+  virtual Matrix6d covariance(const PoseTrack& track, const Eigen::Vector3d& p, double correlation) const = 0;
+
+  virtual std::vector<ModelParam> parameters() const = 0;
+
+  /// Log-likelihood of the track, up to a constant that all models share, when residuals follow one another; the model
+  /// may adapt itself to it for the purpose, but stays as it is. Compares models that move (ours; see model_selection.h).
+  virtual double sequenceLogLikelihood(const PoseTrack& track) const = 0;
+
+  ModelResiduals residuals(const PoseTrack& track) const;
+
+  /// log p(D | M), Eqs. (6)-(10), for independent Gaussian noise: positions and orientations with their own sigmas, q
+  /// uniform over the observed path.
+  double logLikelihood(const PoseTrack& track, const ModelResiduals& residuals) const;
+
+ protected:
+  ArticulationConfig config_;
+};
+
+/// Appends x, y, z.
+void appendParam(const std::string& name, const Eigen::Vector3d& value, std::vector<ModelParam>* params);
+/// Appends x, y, z, w.
+void appendParam(const std::string& name, const Eigen::Quaterniond& value, std::vector<ModelParam>* params);
 
 }  // namespace cabinet_articulation::core

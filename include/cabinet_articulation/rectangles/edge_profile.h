@@ -3,47 +3,52 @@
 
 #include <array>
 
+#include "cabinet_articulation/planes/plane_region.h"
 #include "cabinet_articulation/rectangles/image_edge.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
 namespace cabinet_articulation::core {
 
-/// How well left and right image agree on a plane, in strips parallel to one edge of a rectangle (ours). Where the
-/// strips lie on the plane, the right image shows what the plane predicts; beyond the edge it does not. Other than the
-/// disparity image, whose windows blend both sides, each strip stands for itself.
+/// How well left and right image agree near one edge of a rectangle, in strips parallel to it and for several depths
+/// (ours). Strips on the plane match where the plane predicts; beyond the edge they match at another disparity, or not at
+/// all. Other than the disparity image, whose windows blend both sides of an edge, each strip stands for itself: it is
+/// half a pixel wide and as long as the edge.
 class EdgeProfile {
  public:
   static constexpr double kStripWidth = 0.5;  ///< [px]
-  static constexpr double kInside = 10;       ///< [px] covered inside the edge
-  static constexpr double kOutside = 8;       ///< [px] covered outside the edge
+  static constexpr double kInside = 16;       ///< [px] covered inside the edge
+  static constexpr double kOutside = 8;       ///< [px] covered outside
   static constexpr int kStrips = static_cast<int>((kInside + kOutside) / kStripWidth);
+  static constexpr double kDisparityStep = 0.5;  ///< [px]
+  static constexpr int kOffsets = 13;            ///< disparities tried, the plane's own in the middle
+  static constexpr int kOnPlane = kOffsets / 2;
 
-  EdgeProfile(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge);
+  /// What the strips of an edge, or of half of it, say.
+  struct Costs {
+    /// log(1 - zero-mean normalised correlation) of each strip, innermost first, at the plane's disparity + (i - kOnPlane)
+    /// steps: up to a constant the negative log-likelihood of a pixel, so that costs of strips add up.
+    std::array<std::array<float, kOffsets>, kStrips> cost;
+    std::array<float, kStrips> weight;  ///< [0..1] share of the pixels that a full strip has
+  };
 
-  /// The zero-mean normalised correlation of each strip, innermost first; 0 for a strip with too few pixels.
-  using Correlations = std::array<double, kStrips>;
-  Correlations correlations() const;
-  Correlations correlationsOfHalf(int half) const;
+  /// Pixels that the region's mask calls occluded are left out.
+  EdgeProfile(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge);
 
-  /// Offset [px] of a strip's outer border from the edge, positive outward.
-  static double offset(int strip) { return (strip + 1) * kStripWidth - kInside; }
+  Costs whole() const;
+  Costs half(int index) const;  ///< 0: from the edge's end `a` to its middle; 1: from there to `b`
+
+  /// Offset [px] of a strip's inner border from the edge, positive outward.
+  static double offset(int strip) { return strip * kStripWidth - kInside; }
 
  private:
+  static constexpr int kLanes = 16;  ///< kOffsets, padded for vector registers
   struct Moments {
-    float n = 0, l = 0, r = 0, ll = 0, rr = 0, lr = 0;
+    float n = 0, l = 0, ll = 0;
+    std::array<float, kLanes> r{}, rr{}, lr{};
   };
-  static Moments sum(const Moments& a, const Moments& b);
-  static double correlation(const Moments& m);
+  static Costs costs(const std::array<Moments, kStrips>& strips);
 
-  std::array<std::array<Moments, kStrips>, 2> halves_;
+  std::array<std::array<Moments, kStrips>, 2> halves_{};
 };
-
-/// The best division of a profile into an inner and an outer level.
-struct EdgeStep {
-  double offset = 0;   ///< [px] outward from where the edge was
-  double inside = 0;   ///< level inside the edge
-  double outside = 0;  ///< level outside
-};
-EdgeStep fitStep(const EdgeProfile::Correlations& correlations);
 
 }  // namespace cabinet_articulation::core

@@ -16,7 +16,7 @@ struct RefinedRectangle {
 /// Moves each edge to where the two images stop agreeing on the plane, and turns the rectangle to suit both halves of its
 /// edges (ours: block matching draws edges 1-5 mm too far out or in, and the sign depends on the scene). An edge without
 /// contrast stays where it is. Without images nothing changes.
-RefinedRectangle refineEdges(const PlaneChart& chart, const DisparityPlane& plane, const DepthFrame& frame,
+RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const DepthFrame& frame,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -14,6 +14,7 @@ inline int edgeAxis(Edge edge) { return edge == kEdgeMinusX || edge == kEdgePlus
 struct ImageEdge {
   Eigen::Vector2d a, b;         ///< [px] its ends, counter-clockwise about the rectangle as seen from its normal's side
   Eigen::Vector2d outward;      ///< unit, perpendicular to the edge in the image
+  double depth = 0;             ///< [px] from the opposite edge's middle to this edge
   double metres_per_pixel = 0;  ///< how far the edge moves in the plane when its middle moves by one pixel along `outward`
 };
 

@@ -15,8 +15,14 @@ double precision(const LabelCounts& counts, const RectanglesConfig& config);
 /// far-away stripes count against a good front). At most 1.
 double recall(const LabelCounts& counts, int region_inliers);
 
-/// True if the rectangle explains its region and the region fills it. `rectangle` brings size, precision and recall.
-bool acceptable(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config);
+/// True if the size is a front's, the region fills the rectangle and the rectangle explains the region.
+bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config);
+
+/// True if enough of the edges was observed to tell a front from a piece of a larger surface (ours).
+bool bounded(const std::array<float, 4>& edge_support, const RectanglesConfig& config);
+
+/// True if both show the same surface at the same place.
+bool sameSurface(const Rectangle& a, const Rectangle& b);
 
 /// A rectangle that passed, and the pixels that support it.
 struct SupportedRectangle {

@@ -24,17 +24,32 @@ struct RectanglesConfig {
   double last_step = 0.001;
   // Edges
   bool refine_edges = true;
-  double edge_contrast = 0.28;
+  double edge_contrast = 1;
   double edge_agreement = 0.5;
   // Acceptance
   double min_precision = 0.85;
   double min_recall = 0.7;
   double min_visible = 0.4;
+  double min_observed_edges = 1.6;
+  double min_observed_across = 0.35;
   double min_side = 0.06;
   double max_side = 1.0;
   int max_rectangles = 20;
   // Tracks
   double track_gain = 0.6;
+
+  /// The paper's variant, as in the original release: the baseline of comparisons.
+  static RectanglesConfig paper() {
+    RectanglesConfig config;
+    config.objective = "paper";
+    config.random_starts = 10;
+    config.refine_edges = false;
+    config.min_precision = 0.7;
+    config.min_visible = 0;
+    config.min_observed_edges = 0;
+    config.min_observed_across = 0;
+    return config;
+  }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -62,15 +77,20 @@ struct RectanglesConfig {
           "the search ends when its step, halved again and again, falls below this");
     visit("refine_edges", self.refine_edges,
           "move each edge to where left and right image stop agreeing on the plane; needs the images");
-    visit("edge_contrast", self.edge_contrast, Range{0, 2}, "",
-          "an edge moves only if the images' correlation drops by this much across it");
+    visit("edge_contrast", self.edge_contrast, Range{0, 5}, "",
+          "an edge moves only if the log of the images' disagreement on the plane rises by this much across it (ours)");
     visit("edge_agreement", self.edge_agreement, Range{-1, 1}, "",
-          "an edge moves only if the images' correlation inside it is at least this");
+          "an edge moves only if the images' correlation inside it is at least this (ours)");
     visit("min_precision", self.min_precision, Range{0, 1}, "",
           "Eq. (4): least share of the rectangle that agrees with it (paper: 0.7)");
     visit("min_recall", self.min_recall, Range{0, 1}, "", "Eq. (5): least share of the region inside the rectangle (paper: 0.7)");
     visit("min_visible", self.min_visible, Range{0, 1}, "",
           "least share of the rectangle's pixels that are in-plane (ours: costs below 1 accept what is mostly hidden)");
+    visit("min_observed_edges", self.min_observed_edges, Range{0, 4}, "",
+          "edges that must have been observed, in sum over their shares; not asked where a track is (ours: pieces of larger "
+          "surfaces fill their region as well as fronts do, but end nowhere)");
+    visit("min_observed_across", self.min_observed_across, Range{0, 1}, "",
+          "observed share of the better one of two opposite edges, for both pairs; not asked where a track is (ours)");
     visit("min_side", self.min_side, Range{0.001, 10}, "m", "shortest side of a rectangle (original release: 0.05)");
     visit("max_side", self.max_side, Range{0.01, 100}, "m", "longest side of a rectangle (original release: 1.5)");
     visit("max_rectangles", self.max_rectangles, Range{1, 1000}, "", "rectangles of one frame at most, the best supported first");

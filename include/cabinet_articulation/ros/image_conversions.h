@@ -40,6 +40,9 @@ cv_bridge::CvImageConstPtr toMono(const sensor_msgs::ImageConstPtr& image, const
 /// An image as it is (depth images). A view that keeps the message alive.
 cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, const std::string& topic);
 
+/// Throws unless the image has the size that its camera's CameraInfo names.
+void requireSize(const cv::Mat& image, const core::StereoCamera& camera, const std::string& topic);
+
 /// A view of the disparities. Only where the matcher's mark for "no match" (min_disparity - 1, as stereo_image_proc
 /// writes it) is a positive number and would pass for a disparity, a copy with those pixels set to 0.
 cv::Mat1f toDisparities(const stereo_msgs::DisparityImage& message, const std::string& topic, const core::StereoCamera& camera);

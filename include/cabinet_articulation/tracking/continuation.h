@@ -11,7 +11,7 @@ namespace cabinet_articulation::core {
 
 /// A detection seen as the next observation of a track.
 struct Continuation {
-  double distance = 0;         ///< [m] between the front's corners and where they were expected
+  double distance = 0;         ///< [m] see motionDistance
   DetectedRectangle measured;  ///< the detection in the track's corner choice
   Rectangle reference;         ///< the place it continues from
 };

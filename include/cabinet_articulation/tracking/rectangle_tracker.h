@@ -14,7 +14,8 @@ namespace cabinet_articulation::core {
 /// A frame's rectangles are assigned as a whole (least total distance), each in that one of its eight descriptions that
 /// continues the track. Size and place come from observed edges only. A front that disappears (closed fronts are
 /// coplanar with their neighbours and cannot be seen) keeps its track for `timeout`, and gets it back where it was last
-/// seen, where a pull or a swing can have brought it meanwhile, or anywhere along the track's history.
+/// seen, where a pull or a swing can have brought it meanwhile, or anywhere along the track's history. The first
+/// rectangle of a track tells its outer side: the normal points to the camera.
 class RectangleTracker {
  public:
   /// Throws ConfigError.
@@ -28,8 +29,9 @@ class RectangleTracker {
 
   const std::vector<Track>& tracks() const { return tracks_; }
 
-  /// Where the confirmed tracks are expected at `stamp`, for the detector's track-guided fit. Without a stamp: where
-  /// they were last seen.
+  /// Where fronts are expected at `stamp`, with the size of their track, for the detector's track-guided fit. Only those
+  /// that were confirmed, are not lost, and whose size has been observed: a wrong size that is searched for is found
+  /// again and again. Without a stamp: where they were last seen.
   std::vector<Rectangle> expected(double stamp) const;
   std::vector<Rectangle> expected() const { return expected(last_stamp_); }
 

@@ -12,17 +12,17 @@ namespace cabinet_articulation::core {
 /// One observation of a tracked front, in the track's corner choice and in the fixed frame.
 struct TrackedObservation {
   double stamp = 0;                                 ///< [s]
-  Rectangle rectangle;                              ///< the track's size, placed by the edges that were observed
+  Rectangle rectangle;                              ///< observed edges as seen, the others by the track's size
   Matrix6d covariance = Matrix6d::Zero();           ///< of `rectangle`; axes as DetectedRectangle, fixed frame
   std::array<float, 4> edge_support{{1, 1, 1, 1}};  ///< in the track's corner choice
-  Rectangle measured;                               ///< as detected: with this one frame's size and centre
+  Rectangle measured;                               ///< as detected, whatever edges were observed
   Matrix6d measured_covariance = Matrix6d::Zero();  ///< of `measured`
 };
 
 /// The history of one physical front (paper III-C), oldest observation first.
 struct Track {
   std::uint32_t id = 0;
-  double width = 0;   ///< [m] estimated over the whole track; every observation's `rectangle` has it
+  double width = 0;   ///< [m] estimated over the whole track
   double height = 0;  ///< [m]
   /// Counts how often earlier observations changed (a better size placed them anew, or they were thinned out). While it
   /// stays the same, observations were only appended.

@@ -9,7 +9,7 @@ struct TrackingConfig {
   double timeout = 20;
   double tentative_timeout = 1;
   int confirmed_after = 3;
-  double position_tolerance = 0.08;
+  double position_tolerance = 0.05;
   double angle_tolerance = 0.39;
   double twist_tolerance = 0.25;
   double size_tolerance = 0.04;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cabinet_articulation/config/config.h"
+
+namespace cabinet_articulation::core {
+
+/// "measured" below: on 105 logs of real doors and drawers whose types are known.
+struct ArticulationConfig {
+  bool rigid = true;
+  bool prismatic = true;
+  bool rotational = true;
+
+  double sigma_position = 0.01;
+  double sigma_orientation = 0.1;
+  double degrees_of_freedom = 5;
+  double sigma_position_floor = 0.001;
+  double sigma_orientation_floor = 0.14;
+  double radius_min = 0.02;
+  double radius_max = 1.2;
+
+  double sequence_degrees_of_freedom = 3;
+  double sagitta_min = 0.006;
+  double motion_min = 0.04;
+  double motion_to_noise = 6;
+  double outlier_share_max = 0.3;
+  double covariance_factor = 1.75;
+
+  bool use_orientation = true;
+  int poses_max = 200;
+  int sequence_poses_max = 1000;
+  int seed = 1;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("rigid", self.rigid, "candidate: the front does not move");
+    visit("prismatic", self.prismatic, "candidate: the front moves along a line");
+    visit("rotational", self.rotational, "candidate: the front turns about an axis");
+    visit("sigma_position", self.sigma_position, Range{1e-4, 1}, "m", "position noise of Eq. (9) (original release: 0.01)");
+    visit("sigma_orientation", self.sigma_orientation, Range{1e-3, 100}, "rad",
+          "orientation noise of Eq. (9) (original release: 0.1 with a camera)");
+    visit("degrees_of_freedom", self.degrees_of_freedom, Range{1, 1000}, "",
+          "tails of the noise when parameters are fitted (Student's t; measured: 5, large is Gaussian)");
+    visit("sigma_position_floor", self.sigma_position_floor, Range{1e-6, 0.1}, "m",
+          "smallest noise a fit may believe in (measured)");
+    visit("sigma_orientation_floor", self.sigma_orientation_floor, Range{1e-3, 100}, "rad",
+          "the same for orientations, whose errors are systematic: less biases the radius (measured)");
+    visit("radius_min", self.radius_min, Range{1e-3, 1}, "m", "smallest distance of an axis from the observed point");
+    visit("radius_max", self.radius_max, Range{0.05, 10}, "m",
+          "largest one; more lets bowed drawers look like doors (measured: 1.0 to 1.2)");
+    visit("sequence_degrees_of_freedom", self.sequence_degrees_of_freedom, Range{1, 1000}, "",
+          "tails of the innovations when prismatic and rotational are compared (measured: 2 to 5)");
+    visit("sagitta_min", self.sagitta_min, Range{0, 0.1}, "m",
+          "an arc that bends less than this is never preferred to a line (measured: slip of a gripper looks like 6 mm)");
+    visit("motion_min", self.motion_min, Range{0, 1}, "m", "shorter paths are not motion yet (ours)");
+    visit("motion_to_noise", self.motion_to_noise, Range{0, 100}, "",
+          "nor are paths shorter than this many times the spread across them, as slow jitter makes them (ours)");
+    visit("outlier_share_max", self.outlier_share_max, Range{0.01, 1}, "",
+          "no model explains a track with more poses than this farther than 3 sigma_position from it (measured)");
+    visit("covariance_factor", self.covariance_factor, Range{0.1, 100}, "",
+          "on covariances, beyond the correction for correlated noise (measured: 1.5 to 2 for 95 % intervals)");
+    visit("use_orientation", self.use_orientation, "false: positions only");
+    visit("poses_max", self.poses_max, Range{10, 100000}, "", "poses a fit uses at most, evenly spaced (measured: 200 is safe)");
+    visit("sequence_poses_max", self.sequence_poses_max, Range{10, 100000}, "",
+          "poses the comparison of prismatic and rotational uses at most; thinning costs right answers (measured)");
+    visit("seed", self.seed, Range{0, 2147483647}, "", "seed of the consensus that starts the fits");
+  }
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/articulation/model_selection.h"
+#include "cabinet_articulation/articulation/reference_point.h"
+
+namespace cabinet_articulation::core {
+
+/// Learns one track. Keeps its models, so that an update starts from the last fit.
+class FrontLearner {
+ public:
+  explicit FrontLearner(const ArticulationConfig& config);
+
+  /// Fits all candidates to the track as it is now. False if it has no usable observation; everything stays as it was.
+  bool update(const Track& track);
+
+  /// The selected model; valid after an update that succeeded.
+  const LearnedModel& best() const { return learned_; }
+
+  /// All candidates, the best first.
+  std::vector<LearnedModel> candidates() const;
+
+ private:
+  LearnedModel describe(const Candidate& candidate) const;
+  void chooseReference(const Track& track);
+
+  ArticulationConfig config_;
+  std::vector<std::unique_ptr<ArticulationModel>> models_;
+  ReferencePoint reference_;
+  std::size_t reference_chosen_at_ = 0;  ///< observations when the reference point was chosen last
+  Track front_;                          ///< id and size of the track
+  PoseTrack poses_;                      ///< of the reference point
+  int observations_ = 0;
+  std::vector<Candidate> candidates_;
+  Selection selection_;
+  LearnedModel learned_;
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <vector>
+
+namespace cabinet_articulation::core {
+
+/// A pose track as the learner sees it: poses of one reference point of the front.
+struct PoseTrack {
+  std::vector<double> stamps;  ///< [s] ascending
+  std::vector<Eigen::Isometry3d> poses;
+  bool has_orientation = true;  ///< false: positions only (logs of three columns)
+  /// How much of a deviation counts, per pose: symmetric matrices in the track's frame with eigenvalues from 0 (that
+  /// direction was not observed) to 1. Empty: everything was observed. Ignored without orientation.
+  std::vector<Eigen::Matrix3d> position_weights;
+  std::vector<Eigen::Matrix3d> orientation_weights;
+
+  std::size_t size() const { return poses.size(); }
+};
+
+/// The poses that can be used, in the order of their stamps: finite ones, with a proper rotation.
+PoseTrack cleaned(const PoseTrack& track);
+
+/// At most `count` poses, evenly spaced, the first and the last among them.
+PoseTrack thinned(const PoseTrack& track, std::size_t count);
+
+/// The poses from `first` on.
+PoseTrack tail(const PoseTrack& track, std::size_t first);
+
+/// A pose track laid out for the fits: orientations as unit quaternions.
+struct PoseSamples {
+  explicit PoseSamples(const PoseTrack& track);
+
+  bool has_orientation;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Quaterniond> orientations;
+  std::vector<Eigen::Matrix3d> position_weights;
+  std::vector<Eigen::Matrix3d> orientation_weights;
+
+  std::size_t size() const { return positions.size(); }
+};
+
+}  // namespace cabinet_articulation::core

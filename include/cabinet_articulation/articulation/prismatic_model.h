@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cabinet_articulation/articulation/arc_model.h"
+
+namespace cabinet_articulation::core {
+
+/// The front slides along a line.
+class PrismaticModel : public ArcModel {
+ public:
+  explicit PrismaticModel(const ArticulationConfig& config) : ArcModel(config, PathShape::kLine) {}
+
+  JointType type() const override { return JointType::kPrismatic; }
+  int complexity(bool with_orientation) const override { return with_orientation ? 7 : 4; }
+  JointGeometry geometry() const override;
+  Matrix6d covariance(const PoseTrack& track, const Eigen::Vector3d& p, double correlation) const override;
+  std::vector<ModelParam> parameters() const override;
+};
+
+}  // namespace cabinet_articulation::core

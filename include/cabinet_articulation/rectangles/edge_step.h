@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cabinet_articulation/rectangles/edge_profile.h"
+
+namespace cabinet_articulation::core {
+
+/// Where a profile leaves the plane.
+struct EdgeStep {
+  double offset = 0;    ///< [px] outward from where the edge was
+  double inside = 0;    ///< mean log residual on the plane just inside
+  double contrast = 0;  ///< how much the plane explains the strips outside worse; 0: no edge
+};
+
+/// The innermost place from which on the strips no longer lie on the plane (ours). A strip has left it if the plane
+/// explains it worse than the strips inside, or if another depth explains it better: the side of a drawer's body leaves the
+/// plane so slowly that the plane still explains it well for many pixels, but never best.
+EdgeStep findStep(const EdgeProfile::Costs& costs);
+
+}  // namespace cabinet_articulation::core

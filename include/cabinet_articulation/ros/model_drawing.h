@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/geometry/rectangle.h"
+
+namespace cabinet_articulation {
+
+/*
+ * What markers and overlay have in common: how a model looks. ROS-free; everything in the frame of the model.
+ */
+
+/// Red, green, blue in 0..1.
+using Color = std::array<float, 3>;
+
+/// Grey: not enough motion yet; orange: no model describes it; blue: prismatic; green: rotational.
+Color colorOf(const core::LearnedModel& model);
+
+/// "3 rotational 98 %, 34 deg (0 to 87)"
+std::string labelOf(const core::LearnedModel& model);
+
+/// The front as the model predicts it at q (Eq. 8).
+core::Rectangle frontAt(const core::LearnedModel& model, double q);
+
+/// The hinge line along the front (rotational) or the way of the front's centre (prismatic): from, to.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model);
+
+/// Fronts over the range that was seen, q_min and q_max included; nothing for what is no joint.
+std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model);
+
+/// The model seen from another frame. The covariance is turned with it.
+core::LearnedModel transformed(const core::LearnedModel& model, const Eigen::Isometry3d& T_target_source);
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/arc_start.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr std::size_t kScoredPoses = 60;
+constexpr int kHypotheses = 30;
+constexpr double kTypicalRadius = 0.45;  ///< [m] of a cabinet's door
+
+/// Directions in which points scatter, most first.
+struct Scatter {
+  Eigen::Vector3d mean;
+  Eigen::Matrix3d axes;
+};
+
+Scatter scatterOf(const std::vector<Eigen::Vector3d>& points) {
+  Scatter scatter{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+  for (const Eigen::Vector3d& p : points) scatter.mean += p / static_cast<double>(points.size());
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points) moments += (p - scatter.mean) * (p - scatter.mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+  scatter.axes = solver.eigenvectors().rowwise().reverse();
+  return scatter;
+}
+
+double clampedCurvature(double radius, const ArticulationConfig& config) {
+  return 1 / std::clamp(radius, config.radius_min, config.radius_max);
+}
+
+/// The arc around `center` whose middle is where `towards` lies as seen from there.
+Arc arcAround(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, double radius, const Eigen::Vector3d& towards) {
+  Arc arc;
+  Eigen::Vector3d outward = towards - center;
+  outward -= axis * axis.dot(outward);
+  outward = outward.norm() > 1e-9 ? outward.normalized() : axis.unitOrthogonal();
+  arc.middle = center + outward * radius;
+  arc.curvature = 1 / radius;
+  arc.frame.col(0) = axis.cross(outward);
+  arc.frame.col(1) = -outward;
+  arc.frame.col(2) = axis;
+  return arc;
+}
+
+/// Slides the centre along the radial direction of the arc's middle until the radius is allowed.
+Arc withAllowedRadius(Arc arc, const ArticulationConfig& config) {
+  arc.curvature = clampedCurvature(arc.radius(), config);
+  return arc;
+}
+
+/// Algebraic circle in the plane of greatest scatter (Taubin's start in its linear, Kasa's, form).
+Arc algebraicCircle(const std::vector<Eigen::Vector3d>& points, const Scatter& scatter, const ArticulationConfig& config) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d local = scatter.axes.transpose() * (p - scatter.mean);
+    const Eigen::Vector3d row(local.x(), local.y(), 1);
+    normal += row * row.transpose();
+    right += row * local.head<2>().squaredNorm();
+  }
+  const Eigen::Vector3d solution = normal.fullPivLu().solve(right);
+  const Eigen::Vector2d center = solution.head<2>() / 2;
+  const double radius = std::sqrt(std::max(1e-12, solution.z() + center.squaredNorm()));
+  if (!std::isfinite(radius) || !center.allFinite() || radius > 1e3)
+    return arcAround(scatter.mean - scatter.axes.col(1) * config.radius_max, scatter.axes.col(2), config.radius_max,
+                     scatter.mean);
+  const Eigen::Vector3d center_world = scatter.mean + scatter.axes.leftCols<2>() * center;
+  return withAllowedRadius(arcAround(center_world, scatter.axes.col(2), std::max(radius, 1e-6), scatter.mean), config);
+}
+
+/// The circle through three points.
+Arc circleThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                  const ArticulationConfig& config) {
+  const Eigen::Vector3d ab = b - a, ac = c - a;
+  const Eigen::Vector3d normal = ab.cross(ac);
+  const double twice = 2 * normal.squaredNorm();
+  if (twice < 1e-16) {
+    Arc line;
+    line.middle = (a + c) / 2;
+    line.frame = arcFrame(ac.norm() > 1e-9 ? ac : Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
+    line.curvature = 1 / config.radius_max;
+    return line;
+  }
+  const Eigen::Vector3d to_center = (normal.cross(ab) * ac.squaredNorm() + ac.cross(normal) * ab.squaredNorm()) / twice;
+  return withAllowedRadius(arcAround(a + to_center, normal.normalized(), to_center.norm(), (a + b + c) / 3), config);
+}
+
+Arc lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& direction) {
+  Arc line;
+  line.middle = a;
+  line.frame = arcFrame(direction.norm() > 1e-9 ? direction : Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
+  return line;
+}
+
+double disagreement(const Arc& arc, const std::vector<Eigen::Vector3d>& points, double sigma) {
+  double sum = 0;
+  for (const Eigen::Vector3d& p : points) sum += std::min(arc.squaredDistance(p), 9 * sigma * sigma);
+  return sum;
+}
+
+/// The orientation of the front at s = 0: of the poses near the path, turned back to there. Chordal mean, taken twice so
+/// that outliers lose their say.
+Eigen::Matrix3d meanOrientation(const PoseSamples& samples, const Arc& arc) {
+  Eigen::Quaterniond mean = Eigen::Quaterniond::Identity();
+  for (int round = 0; round < 3; ++round) {
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double theta = arc.curvature * arc.arcLength(samples.positions[i]);
+      Eigen::Quaterniond q = Eigen::AngleAxisd(-theta, arc.axis()) * samples.orientations[i];
+      if (round == 0 && i == 0) mean = q;
+      const double angle = q.angularDistance(mean);
+      if (q.dot(mean) < 0) q.coeffs() = -q.coeffs();
+      sum += q.coeffs() / (1 + angle * angle / 0.05);
+    }
+    mean.coeffs() = sum.normalized();
+  }
+  return mean.toRotationMatrix();
+}
+
+Arc centeredOn(const PoseSamples& samples, const Arc& arc) {
+  Arc centered = arc.recentered(meanArcLength(arc, samples.positions));
+  if (samples.has_orientation) centered.orientation = meanOrientation(samples, centered);
+  return centered;
+}
+
+}  // namespace
+
+Arc consensusArc(const PoseSamples& samples, PathShape shape, const ArticulationConfig& config) {
+  std::vector<Eigen::Vector3d> points;
+  const std::size_t count = std::min(samples.size(), kScoredPoses);
+  for (std::size_t i = 0; i < count; ++i)
+    points.push_back(samples.positions[count < 2 ? 0 : i * (samples.size() - 1) / (count - 1)]);
+  const Scatter scatter = scatterOf(points);
+  Arc best =
+      shape == PathShape::kLine ? lineThrough(scatter.mean, scatter.axes.col(0)) : algebraicCircle(points, scatter, config);
+  double best_score = disagreement(best, points, config.sigma_position);
+  std::mt19937 random(static_cast<std::uint32_t>(config.seed));
+  const auto draw = [&]() -> const Eigen::Vector3d& { return points[random() % points.size()]; };
+  for (int i = 0; i < kHypotheses; ++i) {
+    const Eigen::Vector3d &a = draw(), &b = draw(), &c = draw();
+    const Arc arc = shape == PathShape::kLine ? lineThrough(a, b - a) : circleThrough(a, b, c, config);
+    const double score = disagreement(arc, points, config.sigma_position);
+    if (score < best_score) {
+      best_score = score;
+      best = arc;
+    }
+  }
+  return centeredOn(samples, best);
+}
+
+std::vector<Arc> typicalCircles(const PoseSamples& samples, const Arc& line) {
+  const Scatter scatter = scatterOf(samples.positions);
+  std::vector<Arc> circles;
+  for (const double side : {1.0, -1.0}) {
+    Arc arc = line;
+    arc.frame = arcFrame(line.tangent(), side * scatter.axes.col(1));
+    arc.curvature = 1 / kTypicalRadius;
+    circles.push_back(centeredOn(samples, arc));
+  }
+  return circles;
+}
+
+}  // namespace cabinet_articulation::core

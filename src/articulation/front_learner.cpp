@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/front_learner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// The track from the first pose that at least one of the models explains: a sequence is tied to the path by its first
+/// residual, which must not be a false detection.
+PoseTrack fromFirstExplained(const PoseTrack& track, const std::vector<Candidate>& candidates, double limit) {
+  for (std::size_t first = 0; first < track.size(); ++first) {
+    const Eigen::Isometry3d& pose = track.poses[first];
+    for (const Candidate& candidate : candidates) {
+      if (!candidate.model->moves()) continue;
+      const Eigen::Isometry3d predicted = candidate.model->predict(candidate.model->configuration(pose));
+      if ((pose.translation() - predicted.translation()).norm() <= limit) return tail(track, first);
+    }
+  }
+  return track;
+}
+
+}  // namespace
+
+FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config) {
+  for (const ModelEntry& entry : modelRegistry())
+    if (config.*entry.enabled) models_.push_back(entry.create(config));
+}
+
+void FrontLearner::chooseReference(const Track& track) {
+  // The choice changes what q means, so it is only looked at again when twice as much is known.
+  if (reference_chosen_at_ > 0 && track.observations.size() < 2 * reference_chosen_at_) return;
+  reference_ = bestReferencePoint(track, reference_chosen_at_ > 0 ? &reference_ : nullptr, config_);
+  reference_chosen_at_ = std::max<std::size_t>(5, track.observations.size());
+}
+
+bool FrontLearner::update(const Track& track) {
+  chooseReference(track);
+  PoseTrack poses = thinned(poseTrack(track, reference_, config_), static_cast<std::size_t>(config_.sequence_poses_max));
+  if (poses.size() == 0) return false;
+  poses_ = std::move(poses);
+  observations_ = static_cast<int>(track.observations.size());
+  front_.id = track.id;
+  front_.width = track.width;
+  front_.height = track.height;
+  const PoseTrack spaced = thinned(poses_, static_cast<std::size_t>(config_.poses_max));
+  candidates_.clear();
+  for (const auto& model : models_) {
+    if (!model->fit(spaced)) continue;
+    candidates_.push_back(evaluateCandidate(*model, spaced, config_));
+  }
+  const PoseTrack sequence = fromFirstExplained(poses_, candidates_, 3 * config_.sigma_position);
+  for (Candidate& candidate : candidates_) {
+    if (!candidate.model->moves()) continue;
+    const double parameters = candidate.model->complexity(sequence.has_orientation);
+    candidate.evidence =
+        candidate.model->sequenceLogLikelihood(sequence) - 0.5 * parameters * std::log(static_cast<double>(sequence.size()));
+  }
+  if (candidates_.empty()) return false;
+  selection_ = selectModel(&candidates_, spaced, config_);
+  learned_ = describe(candidates_[selection_.best]);
+  return true;
+}
+
+std::vector<LearnedModel> FrontLearner::candidates() const {
+  std::vector<LearnedModel> all;
+  for (const Candidate& candidate : candidates_) all.push_back(describe(candidate));
+  const auto probability = [](const LearnedModel& model) { return model.probabilities[static_cast<std::size_t>(model.type)]; };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const LearnedModel& a, const LearnedModel& b) { return probability(a) > probability(b); });
+  return all;
+}
+
+LearnedModel FrontLearner::describe(const Candidate& candidate) const {
+  const ArticulationModel& model = *candidate.model;
+  const ModelResiduals& residuals = candidate.residuals;
+  LearnedModel learned;
+  learned.id = front_.id;
+  learned.stamp = poses_.stamps.back();
+  learned.type = model.type();
+  learned.probabilities = selection_.probabilities;
+  learned.moved = selection_.moved;
+  learned.explained = selection_.explained;
+  learned.width = front_.width;
+  learned.height = front_.height;
+  learned.origin = model.predict(0);
+  learned.origin.translate(-reference_.offset(front_.width, front_.height));
+  const JointGeometry geometry = model.geometry();
+  learned.axis = geometry.axis;
+  if (model.type() == JointType::kRotational) {
+    const Eigen::Vector3d away = learned.origin.translation() - geometry.axis_point;
+    learned.axis_point = geometry.axis_point + geometry.axis * geometry.axis.dot(away);
+    learned.radius = (learned.origin.translation() - learned.axis_point).norm();
+  }
+  learned.q = model.configuration(poses_.poses.back());
+  learned.q_min = residuals.q_min;
+  learned.q_max = residuals.q_max;
+  learned.observations = observations_;
+  const double n = static_cast<double>(residuals.q.size());
+  for (std::size_t i = 0; i < residuals.q.size(); ++i) {
+    learned.position_error += residuals.position[i].norm() / n;
+    learned.orientation_error += residuals.orientation[i].norm() / n;
+  }
+  const PoseTrack spaced = thinned(poses_, static_cast<std::size_t>(config_.poses_max));
+  if (learned.moved || !model.moves())
+    learned.covariance = model.covariance(spaced, learned.origin.translation(), candidate.correlation);
+  learned.params = model.parameters();
+  const double parameters = model.complexity(spaced.has_orientation);
+  const auto add = [&learned](const char* name, double value, ModelParam::Kind kind) {
+    learned.params.push_back({name, value, kind});
+  };
+  add("sigma_position", config_.sigma_position, ModelParam::kPrior);
+  add("sigma_orientation", config_.sigma_orientation, ModelParam::kPrior);
+  add("complexity", parameters, ModelParam::kEval);
+  add("dofs", model.moves() ? 1 : 0, ModelParam::kEval);
+  add("samples", n, ModelParam::kEval);
+  add("q_min[0]", residuals.q_min, ModelParam::kEval);
+  add("q_max[0]", residuals.q_max, ModelParam::kEval);
+  add("avg_error_position", learned.position_error, ModelParam::kEval);
+  add("avg_error_orientation", learned.orientation_error, ModelParam::kEval);
+  add("outlier_ratio", candidate.outlier_share, ModelParam::kEval);
+  add("loglikelihood", candidate.log_likelihood, ModelParam::kEval);
+  add("evidence", candidate.evidence, ModelParam::kEval);
+  add("correlation", candidate.correlation, ModelParam::kEval);
+  add("bic", -2 * candidate.log_likelihood + parameters * std::log(n), ModelParam::kEval);
+  return learned;
+}
+
+}  // namespace cabinet_articulation::core

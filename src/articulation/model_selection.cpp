@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/model_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+double logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+/// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.
+double sequenceCorrelation(const std::vector<Eigen::Vector3d>& residuals, double limit) {
+  double product = 0, square = 0;
+  Eigen::Vector3d previous = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& residual : residuals) {
+    const Eigen::Vector3d cut = residual * std::min(1.0, limit / std::max(1e-12, residual.norm()));
+    product += cut.dot(previous);
+    square += cut.squaredNorm();
+    previous = cut;
+  }
+  return square > 0 ? std::clamp(product / square, 0.0, 0.99) : 0;
+}
+
+/// Largest distance [m] of the observed path from its chord.
+double bow(const Candidate& candidate) {
+  constexpr int kSteps = 8;
+  const double q_min = candidate.residuals.q_min, q_max = candidate.residuals.q_max;
+  const Eigen::Vector3d first = candidate.model->predict(q_min).translation();
+  const Eigen::Vector3d chord = candidate.model->predict(q_max).translation() - first;
+  double largest = 0;
+  for (int i = 1; i < kSteps; ++i) {
+    const Eigen::Vector3d p = candidate.model->predict(q_min + (q_max - q_min) * i / kSteps).translation() - first;
+    const Eigen::Vector3d away = chord.norm() > 0 ? Eigen::Vector3d(p - chord * chord.dot(p) / chord.squaredNorm()) : p;
+    largest = std::max(largest, away.norm());
+  }
+  return largest;
+}
+
+/// Root mean square of residuals, each cut at `limit`.
+double rms(const std::vector<Eigen::Vector3d>& residuals, double limit) {
+  double sum = 0;
+  for (const Eigen::Vector3d& residual : residuals) sum += std::min(residual.squaredNorm(), limit * limit);
+  return std::sqrt(sum / static_cast<double>(residuals.size()));
+}
+
+/// Whether the front moved by more than detections jitter: along its path, or by turning on the spot.
+bool isMotion(const Candidate& candidate, const PoseTrack& track, const ArticulationConfig& config) {
+  const ModelResiduals& residuals = candidate.residuals;
+  const double jitter = config.motion_to_noise * rms(residuals.position, 3 * config.sigma_position);
+  if (residuals.path >= std::max(config.motion_min, jitter)) return true;
+  if (!track.has_orientation) return false;
+  const Eigen::Isometry3d first = candidate.model->predict(residuals.q_min), last = candidate.model->predict(residuals.q_max);
+  const double angle = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
+  const double turn_jitter = config.motion_to_noise * rms(residuals.orientation, 3 * config.sigma_orientation);
+  return angle >= std::max(config.motion_min * config.sigma_orientation / config.sigma_position, turn_jitter);
+}
+
+}  // namespace
+
+Candidate evaluateCandidate(const ArticulationModel& model, const PoseTrack& track, const ArticulationConfig& config) {
+  Candidate candidate;
+  candidate.model = &model;
+  candidate.residuals = model.residuals(track);
+  candidate.log_likelihood = model.logLikelihood(track, candidate.residuals);
+  const double limit = 3 * config.sigma_position;
+  candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
+  for (const Eigen::Vector3d& residual : candidate.residuals.position)
+    candidate.outlier_share += residual.norm() > limit ? 1.0 / static_cast<double>(track.size()) : 0;
+  return candidate;
+}
+
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const ArticulationConfig& config) {
+  Selection selection;
+  selection.probabilities.assign(modelRegistry().size(), 0);
+  const double n = static_cast<double>(track.size());
+  const Candidate* still = nullptr;
+  const Candidate* moving = nullptr;
+  for (Candidate& candidate : *candidates) {
+    if (!candidate.model->moves()) {
+      still = &candidate;
+      continue;
+    }
+    if (moving && bow(candidate) < config.sagitta_min) candidate.evidence = std::min(candidate.evidence, moving->evidence);
+    if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
+  }
+  double moved = moving ? 1 : 0;
+  if (still && moving) {
+    const double independent = n * (1 - moving->correlation) / (1 + moving->correlation);
+    const int parameters = moving->model->complexity(track.has_orientation) - still->model->complexity(track.has_orientation);
+    const double difference = independent / n * (moving->log_likelihood - still->log_likelihood) -
+                              0.5 * parameters * std::log(std::max(1.0, independent));
+    moved = logistic(difference);
+    if (!isMotion(*moving, track, config)) moved = std::min(moved, 0.5);
+  }
+  if (still) selection.probabilities[static_cast<std::size_t>(still->model->type())] = 1 - moved;
+  double sum = 0;
+  for (const Candidate& candidate : *candidates)
+    if (candidate.model->moves()) sum += std::exp(candidate.evidence - moving->evidence);
+  for (const Candidate& candidate : *candidates)
+    if (candidate.model->moves())
+      selection.probabilities[static_cast<std::size_t>(candidate.model->type())] =
+          moved * std::exp(candidate.evidence - moving->evidence) / sum;
+  selection.moved = moving && moved > 0.5;
+  const Candidate* best = selection.moved ? moving : still;
+  if (best) selection.best = static_cast<std::size_t>(best - candidates->data());
+  selection.explained = !selection.moved || moving->outlier_share <= config.outlier_share_max;
+  return selection;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/rotational_model.h"
+
+namespace cabinet_articulation::core {
+
+JointGeometry RotationalModel::geometry() const { return {arc_.axis(), arc_.center(), arc_.radius()}; }
+
+Matrix6d RotationalModel::covariance(const PoseTrack& track, const Eigen::Vector3d& p, double correlation) const {
+  const Eigen::Vector3d to_center = arc_.center() - arc_.middle;
+  const double height = arc_.axis().dot(p - arc_.center());
+  Eigen::Matrix<double, 6, 9> jacobian = Eigen::Matrix<double, 6, 9>::Zero();
+  jacobian.block<3, 2>(0, 0) = arc_.frame.rightCols<2>();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d turn = arc_.frame.col(i);
+    jacobian.block<3, 1>(0, 2 + i) = turn.cross(to_center + height * arc_.axis());
+    if (i < 2) jacobian.block<3, 1>(3, 2 + i) = turn;  // a turn about the axis itself changes nothing
+  }
+  jacobian.block<3, 1>(0, 5) = -to_center / arc_.curvature;
+  return jacobian * parameterCovariance(track, correlation) * jacobian.transpose();
+}
+
+std::vector<ModelParam> RotationalModel::parameters() const {
+  // The original's forward map is T(center, axis) Rz(-q) Tx(radius) R(orientation), so its z points against our axis.
+  const Eigen::Isometry3d origin = predict(0);
+  Eigen::Matrix3d frame;
+  frame.col(0) = (origin.translation() - arc_.center()).normalized();
+  frame.col(2) = -arc_.axis();
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  std::vector<ModelParam> params;
+  appendParam("rot_center", arc_.center(), &params);
+  appendParam("rot_axis", Eigen::Quaterniond(frame), &params);
+  params.push_back({"rot_radius", arc_.radius(), ModelParam::kParam});
+  appendParam("rot_orientation", Eigen::Quaterniond(frame.transpose() * origin.linear()), &params);
+  params.push_back({"rot_mode", 0, ModelParam::kParam});
+  return params;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+namespace cabinet_articulation {
+
+/// Recognises by the stamps of the frames that time was set back (a looped bag, a restarted simulation). Frames that are
+/// merely out of order are no jump.
+class ClockJump {
+ public:
+  bool operator()(const ros::Time& stamp) {
+    const bool jumped = stamp + ros::Duration(kOutOfOrder) < newest_;
+    if (jumped || stamp > newest_) newest_ = stamp;
+    return jumped;
+  }
+
+ private:
+  static constexpr double kOutOfOrder = 1;  ///< [s]
+
+  ros::Time newest_;
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "cabinet_articulation/config/config.h"
+#include "recent_messages.h"
+
+namespace cabinet_articulation {
+
+/// How the two images of a pair find each other.
+struct SyncConfig {
+  bool approximate_sync = false;
+  double sync_tolerance = 0.01;  ///< [s]
+
+  double tolerance() const { return approximate_sync ? sync_tolerance : 0; }
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("approximate_sync", self.approximate_sync,
+          "pair left and right images whose stamps differ (cameras without a common trigger)");
+    visit("sync_tolerance", self.sync_tolerance, core::Range{0, 0.5}, "s",
+          "largest difference of the stamps in an approximate pair");
+  }
+};
+
+enum class Side { kLeft, kRight };
+
+/// Finds the partner of each message of a stereo pair by its stamp, and knows by how much the two sides miss each other.
+template <class Message>
+class PairMatcher {
+ public:
+  using Ptr = boost::shared_ptr<const Message>;
+
+  struct Pair {
+    Ptr left, right;
+  };
+
+  explicit PairMatcher(double tolerance) : tolerance_(tolerance) {}
+
+  /// The pair that this message completes.
+  std::optional<Pair> add(Side side, const Ptr& message) {
+    RecentMessages<Message>& own = side == Side::kLeft ? left_ : right_;
+    const RecentMessages<Message>& others = side == Side::kLeft ? right_ : left_;
+    own.add(message);
+    const Ptr partner = others.find(message->header.stamp, tolerance_);
+    if (!partner) {
+      ++(side == Side::kLeft ? lonely_left_ : lonely_right_);
+      return {};
+    }
+    lonely_left_ = lonely_right_ = 0;
+    return side == Side::kLeft ? Pair{message, partner} : Pair{partner, message};
+  }
+
+  /// [s] How far the newest left message is from the nearest right one, once both sides went without a partner for
+  /// several messages; nothing as long as pairs are found or one side is silent.
+  std::optional<double> mismatch() const {
+    if (lonely_left_ < kPatience || lonely_right_ < kPatience) return {};
+    const ros::Time stamp = left_.newest()->header.stamp;
+    return std::abs((right_.nearest(stamp)->header.stamp - stamp).toSec());
+  }
+
+  void clear() {
+    left_.clear();
+    right_.clear();
+    lonely_left_ = lonely_right_ = 0;
+  }
+
+ private:
+  static constexpr size_t kDepth = 8;
+  static constexpr int kPatience = 4;
+
+  double tolerance_;
+  RecentMessages<Message> left_{kDepth}, right_{kDepth};
+  int lonely_left_ = 0, lonely_right_ = 0;
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pluginlib/class_list_macros.hpp>
+
+#include "cabinet_articulation/planes/plane_segmenter.h"
+#include "cabinet_articulation/ros/image_conversions.h"
+#include "frame_input.h"
+#include "latest_worker.h"
+#include "stage_nodelet.h"
+
+namespace cabinet_articulation {
+namespace {
+
+double validShare(const cv::Mat1f& disparity) {
+  size_t valid = 0;
+  for (int v = 0; v < disparity.rows; ++v) {
+    const float* row = disparity[v];
+    for (int u = 0; u < disparity.cols; ++u) valid += core::isValidDisparity(row[u]);
+  }
+  return disparity.empty() ? 0 : static_cast<double>(valid) / static_cast<double>(disparity.total());
+}
+
+}  // namespace
+
+/// Disparity or depth -> plane regions with their masks.
+class PlanesNodelet : public StageNodelet {
+ public:
+  PlanesNodelet() : StageNodelet("planes") {}
+  ~PlanesNodelet() override { stop(); }
+
+ private:
+  void start() override {
+    core::PlanesConfig config;
+    FrameInputConfig input;
+    SyncConfig sync;
+    loadSettings(config, input, sync);
+    segmenter_ = std::make_unique<core::PlaneSegmenter>(config);
+    frames_ = std::make_unique<FrameInput>(input, sync);
+    worker_ = std::make_unique<LatestWorker<FrameMessages>>([this](const FrameMessages& messages) { process(messages); });
+    for (const WatchedSubscriber* topic : frames_->required()) require(topic);
+    planes_ = advertise<PlaneArray>("planes");
+  }
+
+  void subscribe() override {
+    frames_->subscribe(getNodeHandle(), [this](const FrameMessages& messages) {
+      if (worker_->put(messages)) health().dropped();
+    });
+  }
+
+  void unsubscribe() override {
+    if (frames_) frames_->unsubscribe();
+  }
+
+  void process(const FrameMessages& messages) {
+    runStage(messages.header(), [&] {
+      const FrameViews views = frames_->view(messages);
+      const double valid = validShare(views.frame.disparity);
+      health().note("pixels with depth [%]", 100 * valid);
+      if (valid == 0)
+        trouble("no depth", frames_->topic() +
+                                ": no pixel has a valid depth; is the lens covered, the projector off or everything too close?");
+      publish(planes_, toMessage(segmenter_->process(views.frame), messages.header()));
+    });
+  }
+
+  std::unique_ptr<core::PlaneSegmenter> segmenter_;
+  ros::Publisher planes_;
+  std::unique_ptr<LatestWorker<FrameMessages>> worker_;
+  std::unique_ptr<FrameInput> frames_;
+};
+
+}  // namespace cabinet_articulation
+
+PLUGINLIB_EXPORT_CLASS(cabinet_articulation::PlanesNodelet, nodelet::Nodelet)

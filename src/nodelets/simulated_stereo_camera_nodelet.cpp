@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nodelet/nodelet.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <tf2_eigen/tf2_eigen.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <pluginlib/class_list_macros.hpp>
+#include <thread>
+
+#include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/parameters.h"
+#include "cabinet_articulation/ros/simulation_conversions.h"
+
+namespace cabinet_articulation {
+namespace {
+
+struct SimulatedCameraSettings {
+  std::string frame_id = "stereo_left_optical_frame";
+  std::string world_frame = "world";
+  bool wait_for_subscribers = false;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("frame_id", self.frame_id, core::Choices{}, "frame of the images and of the truth");
+    visit("world_frame", self.world_frame, core::Choices{}, "tf of the camera is published in this frame; empty: no tf");
+    visit("wait_for_subscribers", self.wait_for_subscribers,
+          "nothing moves before both images have subscribers, so that they see the whole motion");
+  }
+};
+
+}  // namespace
+
+/// An active stereo camera that exists only in the computer. Topics: left|right/image_raw and camera_info, depth/image and
+/// depth/camera_info (exact), truth. Like a camera, it does not wait: a frame that comes too late is left out.
+class SimulatedStereoCameraNodelet : public nodelet::Nodelet {
+ public:
+  ~SimulatedStereoCameraNodelet() override {
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      stopped_ = true;
+    }
+    wake_.notify_all();
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::uint32_t kQueue = 4;
+
+  void onInit() override {
+    try {
+      for (const std::string& warning : loadParameters(getPrivateNodeHandle(), config_, settings_))
+        NODELET_WARN("%s: %s", getName().c_str(), warning.c_str());
+      camera_ = std::make_unique<core::SimulatedStereoCamera>(config_);
+    } catch (const std::exception& error) {
+      NODELET_FATAL("%s", error.what());
+      return;
+    }
+    ros::NodeHandle& nh = getNodeHandle();
+    left_ = nh.advertise<sensor_msgs::Image>("left/image_raw", kQueue);
+    right_ = nh.advertise<sensor_msgs::Image>("right/image_raw", kQueue);
+    depth_ = nh.advertise<sensor_msgs::Image>("depth/image", kQueue);
+    left_info_ = nh.advertise<sensor_msgs::CameraInfo>("left/camera_info", kQueue);
+    right_info_ = nh.advertise<sensor_msgs::CameraInfo>("right/camera_info", kQueue);
+    depth_info_ = nh.advertise<sensor_msgs::CameraInfo>("depth/camera_info", kQueue);
+    truth_ = nh.advertise<SceneTruth>("truth", kQueue);
+    if (!settings_.world_frame.empty()) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
+    thread_ = std::thread([this] { run(); });
+  }
+
+  void run() {
+    const std::chrono::duration<double> period(1 / config_.rate);
+    while (!pauseUntil(Clock::now() + std::chrono::duration_cast<Clock::duration>(period)) && !mayStart()) {
+    }
+    const Clock::time_point start = Clock::now();
+    const ros::Time first_stamp = ros::Time::now();
+    int frame = 0;
+    while (!pauseUntil(start + std::chrono::duration_cast<Clock::duration>(frame * period))) {
+      publish(frame, first_stamp + ros::Duration(frame / config_.rate));
+      const int due = static_cast<int>((Clock::now() - start) / period);
+      if (due > frame + 1)
+        NODELET_WARN_THROTTLE(10, "%s: a frame takes longer than 1 / rate = %.0f ms, some are left out", getName().c_str(),
+                              1e3 / config_.rate);
+      frame = std::max(frame + 1, due);
+    }
+  }
+
+  bool mayStart() const {
+    const bool watched = (left_.getNumSubscribers() > 0 && right_.getNumSubscribers() > 0) || depth_.getNumSubscribers() > 0;
+    return watched || !settings_.wait_for_subscribers;
+  }
+
+  /// True as soon as the nodelet ends.
+  bool pauseUntil(Clock::time_point time) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return wake_.wait_until(lock, time, [this] { return stopped_; });
+  }
+
+  void publish(int frame, const ros::Time& stamp) {
+    std_msgs::Header header;
+    header.stamp = stamp;
+    header.frame_id = settings_.frame_id;
+    const core::StereoCamera& camera = camera_->camera();
+    const core::GroundTruth truth = camera_->truth(frame);
+    truth_.publish(toMessage(truth, header));
+    if (broadcaster_) {
+      geometry_msgs::TransformStamped transform = tf2::eigenToTransform(truth.T_world_camera);
+      transform.header.stamp = stamp;
+      transform.header.frame_id = settings_.world_frame;
+      transform.child_frame_id = settings_.frame_id;
+      broadcaster_->sendTransform(transform);
+    }
+    left_info_.publish(toLeftCameraInfo(camera, header));
+    right_info_.publish(toRightCameraInfo(camera, header));
+    depth_info_.publish(toLeftCameraInfo(camera, header));
+    if (left_.getNumSubscribers() + right_.getNumSubscribers() + depth_.getNumSubscribers() == 0) return;
+    const core::StereoFrame rendered = camera_->frame(frame);
+    left_.publish(boost::make_shared<sensor_msgs::Image>(toMessage(rendered.left, header)));
+    right_.publish(boost::make_shared<sensor_msgs::Image>(toMessage(rendered.right, header)));
+    depth_.publish(cv_bridge::CvImage(header, "32FC1", rendered.depth).toImageMsg());
+  }
+
+  core::SimulationConfig config_;
+  SimulatedCameraSettings settings_;
+  std::unique_ptr<core::SimulatedStereoCamera> camera_;
+  ros::Publisher left_, right_, depth_, left_info_, right_info_, depth_info_, truth_;
+  std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
+
+  std::thread thread_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool stopped_ = false;
+};
+
+}  // namespace cabinet_articulation
+
+PLUGINLIB_EXPORT_CLASS(cabinet_articulation::SimulatedStereoCameraNodelet, nodelet::Nodelet)

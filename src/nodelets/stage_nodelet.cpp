@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stage_nodelet.h"
+
+#include <cabinet_articulation/Timing.h>
+
+#include <chrono>
+
+namespace cabinet_articulation {
+namespace {
+
+constexpr double kPatience = 3;  ///< [s] of silence before a missing topic is a trouble
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+void StageNodelet::onInit() {
+  ros::NodeHandle& nh = getNodeHandle();
+  updater_ = std::make_unique<diagnostic_updater::Updater>(nh, getPrivateNodeHandle(), getName());
+  updater_->setHardwareID("none");
+  updater_->add(stage_, [this](diagnostic_updater::DiagnosticStatusWrapper& status) { health_.describe(now(), &status); });
+  timing_ = nh.advertise<Timing>("timing", kOutputQueue);
+  try {
+    std::lock_guard<std::mutex> lock(mutex_);
+    start();
+    started_ = true;
+  } catch (const std::exception& error) {
+    refuse(error.what());
+  }
+  timer_ = nh.createWallTimer(ros::WallDuration(settings_.diagnostic_period), [this](const ros::WallTimerEvent&) { diagnose(); });
+  followListeners();
+}
+
+void StageNodelet::refuse(const std::string& reason) {
+  const std::string text = reason.rfind(getName(), 0) == 0 ? reason : getName() + ": " + reason;
+  NODELET_FATAL("%s", text.c_str());
+  health_.refuse(text);
+}
+
+void StageNodelet::stop() {
+  std::vector<ros::Publisher> outputs;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    started_ = false;
+    outputs.swap(outputs_);
+  }
+  // Each of these waits for its callback, which may wait for the mutex.
+  timer_.stop();
+  for (ros::Publisher& output : outputs) output.shutdown();
+  unsubscribe();
+}
+
+void StageNodelet::followListeners() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (!started_) return;
+  bool wanted = !settings_.lazy;
+  for (const ros::Publisher& output : outputs_) wanted = wanted || output.getNumSubscribers() > 0;
+  if (wanted == subscribed_) return;
+  subscribed_ = wanted;
+  health_.setActive(wanted, now());
+  wanted ? subscribe() : unsubscribe();
+}
+
+void StageNodelet::runStage(const std_msgs::Header& header, const std::function<void()>& work) {
+  const double start = now();
+  try {
+    work();
+  } catch (const std::exception& error) {
+    trouble("input", error.what());
+    return;
+  }
+  Timing timing;
+  timing.header = header;
+  timing.stage = stage_;
+  timing.milliseconds = 1e3 * (now() - start);
+  health_.processed((ros::Time::now() - header.stamp).toSec(), timing.milliseconds, now());
+  publish(timing_, std::move(timing));
+}
+
+void StageNodelet::trouble(const std::string& key, const std::string& text) {
+  if (health_.trouble(key, text, now())) NODELET_WARN("%s: %s", getName().c_str(), text.c_str());
+}
+
+void StageNodelet::diagnose() {
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (subscribed_)
+      for (const WatchedSubscriber* input : required_) {
+        const std::string silence = input->silence(kPatience);
+        if (!silence.empty()) trouble("missing " + input->topic(), silence);
+      }
+  }
+  updater_->force_update();
+}
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <nodelet/nodelet.h>
+#include <std_msgs/Header.h>
+
+#include <boost/make_shared.hpp>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cabinet_articulation/ros/parameters.h"
+#include "stage_health.h"
+#include "watched_subscriber.h"
+
+namespace cabinet_articulation {
+
+/// Settings that every stage has besides its own.
+struct StageSettings {
+  bool lazy = true;
+  double diagnostic_period = 1;  ///< [s]
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("lazy", self.lazy, "work only while somebody subscribes to the results");
+    visit("diagnostic_period", self.diagnostic_period, core::Range{0.05, 60}, "s",
+          "how often the state is published on /diagnostics");
+  }
+};
+
+/*
+ * What all stages have in common at the ROS edge: settings that are checked before anything starts, inputs that are
+ * subscribed to only while somebody listens to the outputs, `timing`, and the state in words on /diagnostics.
+ *
+ * A stage with bad settings says so (log and diagnostics) and stays inert; the manager and the other stages live on.
+ * Every derived class calls stop() in its destructor, so that no callback meets a half destroyed object.
+ */
+class StageNodelet : public nodelet::Nodelet {
+ protected:
+  explicit StageNodelet(const std::string& stage) : stage_(stage) {}
+
+  /// Loads the settings, builds the stage and advertises. Throws to refuse.
+  virtual void start() = 0;
+  virtual void subscribe() = 0;
+  virtual void unsubscribe() = 0;
+  void stop();
+
+  template <class... Configs>
+  void loadSettings(Configs&... configs) {
+    for (const std::string& warning : loadParameters(getPrivateNodeHandle(), settings_, configs...))
+      NODELET_WARN("%s: %s", getName().c_str(), warning.c_str());
+  }
+
+  /// An output whose subscribers make the stage work.
+  template <class Message>
+  ros::Publisher advertise(const std::string& topic) {
+    const auto changed = [this](const ros::SingleSubscriberPublisher&) { followListeners(); };
+    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, changed, changed));
+    return outputs_.back();
+  }
+
+  /// Publishes a message that nobody touches afterwards: subscribers in this process get this very object.
+  template <class Message>
+  void publish(const ros::Publisher& output, Message message) {
+    const auto shared = boost::make_shared<Message>(std::move(message));
+    NODELET_DEBUG_STREAM_NAMED("zero_copy", output.getTopic() << " published at " << shared.get());
+    output.publish(shared);
+  }
+
+  /// Runs the stage on one frame, measures it and turns an exception into a trouble.
+  void runStage(const std_msgs::Header& header, const std::function<void()>& work);
+
+  /// An input without which the stage stands still: its silence is a trouble.
+  void require(const WatchedSubscriber* input) { required_.push_back(input); }
+
+  void trouble(const std::string& key, const std::string& text);
+  StageHealth& health() { return health_; }
+
+ private:
+  static constexpr std::uint32_t kOutputQueue = 4;
+
+  void onInit() override;
+  void refuse(const std::string& reason);
+  void followListeners();
+  void diagnose();
+
+  const std::string stage_;
+  StageSettings settings_;
+  StageHealth health_;
+  std::vector<const WatchedSubscriber*> required_;
+
+  std::mutex mutex_;  ///< guards the three below; held while subscribing and unsubscribing
+  bool started_ = false;
+  bool subscribed_ = false;
+  std::vector<ros::Publisher> outputs_;
+
+  ros::Publisher timing_;
+  std::unique_ptr<diagnostic_updater::Updater> updater_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace cabinet_articulation

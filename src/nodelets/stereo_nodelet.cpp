@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/stereo/block_matcher.h"
+#include "latest_worker.h"
+#include "pair_matcher.h"
+#include "stage_nodelet.h"
+
+namespace cabinet_articulation {
+
+/// Rectified pair -> disparity.
+class StereoNodelet : public StageNodelet {
+ public:
+  StereoNodelet() : StageNodelet("stereo") {}
+  ~StereoNodelet() override { stop(); }
+
+ private:
+  using Pair = PairMatcher<sensor_msgs::Image>::Pair;
+
+  struct Input {
+    Pair pair;
+    sensor_msgs::CameraInfoConstPtr left_info, right_info;
+  };
+
+  void start() override {
+    core::StereoConfig config;
+    SyncConfig sync;
+    loadSettings(config, sync);
+    matcher_ = std::make_unique<core::BlockMatcher>(config);
+    pairs_ = std::make_unique<PairMatcher<sensor_msgs::Image>>(sync.tolerance());
+    worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
+    for (const WatchedSubscriber* input : {&left_, &right_, &left_info_topic_, &right_info_topic_}) require(input);
+    disparity_ = advertise<stereo_msgs::DisparityImage>("disparity");
+  }
+
+  void subscribe() override {
+    ros::NodeHandle& nh = getNodeHandle();
+    left_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "left/camera_info", [this](const auto& info) { left_info_ = info; });
+    right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "right/camera_info",
+                                                         [this](const auto& info) { right_info_ = info; });
+    left_.subscribe<sensor_msgs::Image>(nh, "left/image_rect", [this](const auto& image) { add(Side::kLeft, image); });
+    right_.subscribe<sensor_msgs::Image>(nh, "right/image_rect", [this](const auto& image) { add(Side::kRight, image); });
+  }
+
+  void unsubscribe() override {
+    for (WatchedSubscriber* input : {&left_, &right_, &left_info_topic_, &right_info_topic_}) input->shutdown();
+    if (pairs_) pairs_->clear();
+    left_info_.reset();
+    right_info_.reset();
+  }
+
+  void add(Side side, const sensor_msgs::ImageConstPtr& image) {
+    const std::optional<Pair> pair = pairs_->add(side, image);
+    if (pair && left_info_ && right_info_) {
+      if (worker_->put({*pair, left_info_, right_info_})) health().dropped();
+    } else if (const std::optional<double> difference = pairs_->mismatch()) {
+      trouble("stamps",
+              left_.topic() + " and " + right_.topic() + ": left and right stamps differ by " +
+                  std::to_string(std::lround(1e3 * *difference)) +
+                  " ms, expected pairs; if the cameras have no common trigger, set approximate_sync and sync_tolerance");
+    }
+  }
+
+  void process(const Input& input) {
+    const std_msgs::Header& header = input.pair.left->header;
+    runStage(header, [&] {
+      const core::StereoCamera camera =
+          toStereoCamera(*input.left_info, *input.right_info, left_info_topic_.topic(), right_info_topic_.topic());
+      const cv_bridge::CvImageConstPtr left = toMono(input.pair.left, left_.topic());
+      const cv_bridge::CvImageConstPtr right = toMono(input.pair.right, right_.topic());
+      requireSize(left->image, camera, left_.topic());
+      requireSize(right->image, camera, right_.topic());
+      const core::DepthFrame frame = matcher_->process(left->image, right->image, camera);
+      const core::StereoConfig& config = matcher_->config();
+      publish(disparity_, toMessage(frame, header, config.min_disparity, config.disparity_range));
+    });
+  }
+
+  std::unique_ptr<core::BlockMatcher> matcher_;
+  std::unique_ptr<PairMatcher<sensor_msgs::Image>> pairs_;
+  sensor_msgs::CameraInfoConstPtr left_info_, right_info_;
+  ros::Publisher disparity_;
+  std::unique_ptr<LatestWorker<Input>> worker_;
+  WatchedSubscriber left_, right_, left_info_topic_, right_info_topic_;
+};
+
+}  // namespace cabinet_articulation
+
+PLUGINLIB_EXPORT_CLASS(cabinet_articulation::StereoNodelet, nodelet::Nodelet)

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pluginlib/class_list_macros.hpp>
+
+#include "cabinet_articulation/pipeline/pipeline.h"
+#include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/tracking/rectangle_tracker.h"
+#include "clock_jump.h"
+#include "latest_worker.h"
+#include "stage_nodelet.h"
+#include "transform_source.h"
+
+namespace cabinet_articulation {
+namespace {
+
+struct FixedFrameConfig {
+  std::string fixed_frame;
+  double transform_timeout = 0.2;  ///< [s]
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("fixed_frame", self.fixed_frame, core::Choices{},
+          "tf frame in which the furniture rests; empty: the camera's, which then must rest");
+    visit("transform_timeout", self.transform_timeout, core::Range{0, 5}, "s",
+          "how long a frame waits for its transform (wall time)");
+  }
+};
+
+}  // namespace
+
+/// Rectangles -> tracks in the fixed frame, and where the tracks expect the next rectangles.
+class TrackingNodelet : public StageNodelet {
+ public:
+  TrackingNodelet() : StageNodelet("tracking") {}
+  ~TrackingNodelet() override { stop(); }
+
+ private:
+  void start() override {
+    core::TrackingConfig config;
+    loadSettings(config, fixed_frame_);
+    tracker_ = std::make_unique<core::RectangleTracker>(config);
+    worker_ = std::make_unique<LatestWorker<RectangleArrayConstPtr>>([this](const auto& rectangles) { process(*rectangles); });
+    require(&rectangles_topic_);
+    tracks_ = advertise<TrackArray>("tracks");
+    // A hint for the detector, whose interest alone must not keep both stages working.
+    expected_ = getNodeHandle().advertise<RectangleArray>("expected_rectangles", 1);
+  }
+
+  void subscribe() override {
+    rectangles_topic_.subscribe<RectangleArray>(getNodeHandle(), "rectangles", [this](const auto& rectangles) {
+      if (worker_->put(rectangles)) health().dropped();
+    });
+  }
+
+  void unsubscribe() override { rectangles_topic_.shutdown(); }
+
+  void process(const RectangleArray& rectangles) {
+    std_msgs::Header header = rectangles.header;
+    if (!fixed_frame_.fixed_frame.empty()) header.frame_id = fixed_frame_.fixed_frame;
+    runStage(header, [&] {
+      if (clock_jump_(header.stamp)) {
+        NODELET_WARN("%s: time jumped back; all tracks are forgotten", getName().c_str());
+        tracker_->reset();
+      }
+      const Eigen::Isometry3d T_fixed_camera =
+          transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
+      const auto& tracks = tracker_->process(header.stamp.toSec(), core::transformed(fromMessage(rectangles), T_fixed_camera));
+      publish(tracks_, toMessage(tracks, header));
+      publishExpected(header);
+    });
+  }
+
+  void publishExpected(const std_msgs::Header& header) {
+    if (expected_.getNumSubscribers() == 0) return;
+    std::vector<core::DetectedRectangle> expected;
+    for (const core::Rectangle& rectangle : tracker_->expected()) {
+      expected.emplace_back();
+      expected.back().rectangle = rectangle;
+    }
+    publish(expected_, toMessage(expected, header));
+  }
+
+  FixedFrameConfig fixed_frame_;
+  std::unique_ptr<core::RectangleTracker> tracker_;
+  TransformSource transforms_;
+  ClockJump clock_jump_;
+  ros::Publisher tracks_, expected_;
+  std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;
+  WatchedSubscriber rectangles_topic_;
+};
+
+}  // namespace cabinet_articulation
+
+PLUGINLIB_EXPORT_CLASS(cabinet_articulation::TrackingNodelet, nodelet::Nodelet)

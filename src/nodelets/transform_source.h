@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace cabinet_articulation {
+
+/// tf as the stages need it. Listens from the first question that needs an answer on; equal frames need none.
+class TransformSource {
+ public:
+  /// T_target_source at `stamp`. Waits up to `patience` seconds of wall time for it, so that a paused bag blocks nobody.
+  /// Throws std::runtime_error naming both frames and what tf says.
+  Eigen::Isometry3d lookup(const std::string& target, const std::string& source, const ros::Time& stamp, double patience);
+
+ private:
+  void listen();
+
+  std::mutex mutex_;
+  std::unique_ptr<tf2_ros::Buffer> buffer_;
+  std::unique_ptr<tf2_ros::TransformListener> listener_;
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/joints.h"
+
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation {
+namespace {
+
+constexpr double kSameStamp = 1e-6;  ///< [s] what a stamp may lose on its way through the core
+
+geometry_msgs::TransformStamped transform(const Eigen::Isometry3d& T_parent_child, const std_msgs::Header& header,
+                                          const std::string& parent, const std::string& child) {
+  geometry_msgs::TransformStamped message = tf2::eigenToTransform(T_parent_child);
+  message.header = header;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  return message;
+}
+
+}  // namespace
+
+bool isJoint(const core::LearnedModel& model) { return model.moved && model.explained && model.type != core::JointType::kRigid; }
+
+std::string jointPrefix(const std::string& ros_namespace) {
+  std::string prefix = ros_namespace.substr(std::min(ros_namespace.find_first_not_of('/'), ros_namespace.size()));
+  std::replace(prefix.begin(), prefix.end(), '/', '_');
+  return prefix;
+}
+
+Eigen::Isometry3d jointBase(const core::LearnedModel& model) {
+  const bool rotational = model.type == core::JointType::kRotational;
+  const Eigen::Vector3d z = model.axis.normalized();
+  // x towards the front (rotational) or along its width, as far as that is perpendicular to the axis.
+  Eigen::Vector3d x = model.origin.linear().col(0);
+  if (rotational) x = model.origin.translation() - model.axis_point;
+  x -= z * z.dot(x);
+  if (x.norm() < 1e-6) x = z.unitOrthogonal();
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear().col(0) = x.normalized();
+  T.linear().col(1) = z.cross(x.normalized());
+  T.linear().col(2) = z;
+  T.translation() = rotational ? model.axis_point : Eigen::Vector3d(model.origin.translation());
+  return T;
+}
+
+std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<core::LearnedModel>& models,
+                                                             const std_msgs::Header& header, const std::string& prefix) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (const core::LearnedModel& model : models) {
+    if (!isJoint(model)) continue;
+    const std::string name = prefix + "_" + std::to_string(model.id);
+    const Eigen::Isometry3d T_fixed_base = jointBase(model);
+    transforms.push_back(transform(T_fixed_base, header, header.frame_id, name + "_base"));
+    transforms.push_back(transform(T_fixed_base.inverse() * model.predict(model.q), header, name + "_base", name + "_front"));
+  }
+  return transforms;
+}
+
+sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header,
+                                    const std::string& prefix) {
+  sensor_msgs::JointState state;
+  state.header = header;
+  for (const core::LearnedModel& model : models) {
+    if (!isJoint(model) || std::abs(model.stamp - header.stamp.toSec()) > kSameStamp) continue;
+    state.name.push_back(prefix + "_" + std::to_string(model.id) + "_joint");
+    state.position.push_back(model.q);
+  }
+  return state;
+}
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/articulation/model_registry.h"
+#include "pose_log.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr char kUsage[] =
+    "usage: fit_track FILE... [--sigma-position M] [--sigma-orientation RAD] [--positions-only] [--seed N]\n"
+    "Learns how the front of each log moves and prints one CSV line per file. A log has one pose a line, in metres:\n"
+    "x y z [qx qy qz qw [width height]].\n";
+
+struct Options {
+  std::vector<std::string> files;
+  ArticulationConfig config;
+};
+
+/// Throws ConfigError for an option that is unknown, incomplete or out of range.
+Options parseOptions(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto number = [&]() {
+      if (++i >= argc) throw ConfigError(word + " needs a number");
+      char* end = nullptr;
+      const double value = std::strtod(argv[i], &end);
+      if (end == argv[i] || *end != '\0') throw ConfigError(word + " needs a number, not '" + argv[i] + "'");
+      return value;
+    };
+    if (word == "--sigma-position") {
+      options.config.sigma_position = number();
+    } else if (word == "--sigma-orientation") {
+      options.config.sigma_orientation = number();
+    } else if (word == "--positions-only") {
+      options.config.use_orientation = false;
+    } else if (word == "--seed") {
+      options.config.seed = static_cast<int>(number());
+    } else if (word.rfind("--", 0) == 0) {
+      throw ConfigError("unknown option " + word);
+    } else {
+      options.files.push_back(word);
+    }
+  }
+  checkConfig(options.config);
+  if (options.files.empty()) throw ConfigError("no files given");
+  return options;
+}
+
+/// From the axis to the middle of the front's edge that is farthest from it, or to the given position.
+double farRadius(const LearnedModel& model) {
+  double radius = 0;
+  for (const Eigen::Vector3d& edge : {Eigen::Vector3d(model.width / 2, 0, 0), Eigen::Vector3d(-model.width / 2, 0, 0),
+                                      Eigen::Vector3d(0, model.height / 2, 0), Eigen::Vector3d(0, -model.height / 2, 0)}) {
+    const Eigen::Vector3d away = model.origin * edge - model.axis_point;
+    radius = std::max(radius, away.cross(model.axis).norm());
+  }
+  return radius;
+}
+
+void printModel(const std::string& file, const LearnedModel& model, double milliseconds) {
+  const char* type = model.explained ? modelName(model.type) : "other";
+  std::string radius;
+  if (model.explained && model.type == JointType::kRotational) radius = std::to_string(farRadius(model));
+  std::printf("%s,%s,%.6f,%.6f,%.6f,%s,%.6f,%.6f,%.4f,%.3f\n", file.c_str(), type, model.probabilities[0], model.probabilities[1],
+              model.probabilities[2], radius.c_str(), model.q_max - model.q_min, model.position_error,
+              model.orientation_error * 180 / M_PI, milliseconds);
+}
+
+void fitFile(const std::string& file, ArticulationConfig config) {
+  const PoseLog log = readPoseLog(file);
+  config.use_orientation = config.use_orientation && log.columns > 3;
+  const auto start = std::chrono::steady_clock::now();
+  ArticulationLearner learner(config);
+  const std::vector<LearnedModel> models = learner.process({log.track});
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  printModel(file, models.at(0), elapsed.count());
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  try {
+    options = parseOptions(argc, argv);
+  } catch (const ConfigError& error) {
+    std::fprintf(stderr, "fit_track: %s\n%s", error.what(), kUsage);
+    return 2;
+  }
+  std::printf("file,type,p_rigid,p_prismatic,p_rotational,radius,q_range,position_error,orientation_error_deg,milliseconds\n");
+  int status = 0;
+  for (const std::string& file : options.files) {
+    try {
+      fitFile(file, options.config);
+    } catch (const PoseLogError& error) {
+      std::printf("%s,error,,,,,,,,\n", file.c_str());
+      std::fprintf(stderr, "fit_track: %s\n", error.what());
+      status = 1;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
+
+int main(int argc, char** argv) { return cabinet_articulation::core::run(argc, argv); }

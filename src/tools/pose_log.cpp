@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_log.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kUnitTolerance = 0.05;
+
+/// Where an error is, for its message.
+struct Location {
+  const std::string& name;
+  int line;
+
+  [[noreturn]] void fail(const std::string& what) const { throw PoseLogError(name + ":" + std::to_string(line) + ": " + what); }
+};
+
+std::vector<double> parseNumbers(const std::string& text, const Location& location) {
+  std::vector<double> numbers;
+  const char* cursor = text.c_str();
+  while (true) {
+    cursor += std::strspn(cursor, " \t\r");
+    if (*cursor == '\0') return numbers;
+    const std::size_t length = std::strcspn(cursor, " \t\r");
+    const std::string word(cursor, length);
+    char* end = nullptr;
+    const double number = std::strtod(word.c_str(), &end);
+    if (*end != '\0') location.fail("'" + word + "' is not a number");
+    if (!std::isfinite(number)) location.fail("'" + word + "' is not finite");
+    numbers.push_back(number);
+    cursor += length;
+  }
+}
+
+Rectangle parseRectangle(const std::vector<double>& numbers, const Location& location) {
+  Rectangle rectangle;
+  rectangle.pose.translation() << numbers[0], numbers[1], numbers[2];
+  if (numbers.size() < 7) return rectangle;
+  Eigen::Quaterniond q(numbers[6], numbers[3], numbers[4], numbers[5]);
+  if (std::abs(q.norm() - 1) > kUnitTolerance)
+    location.fail("the quaternion qx qy qz qw has length " + std::to_string(q.norm()) + ", expected 1");
+  rectangle.pose.linear() = q.normalized().toRotationMatrix();
+  if (numbers.size() < 9) return rectangle;
+  rectangle.width = numbers[7];
+  rectangle.height = numbers[8];
+  if (rectangle.width <= 0 || rectangle.height <= 0) location.fail("width and height must be positive");
+  rectangle.pose.translate(Eigen::Vector3d(rectangle.width / 2, rectangle.height / 2, 0));
+  return rectangle;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+void estimateSize(Track* track) {
+  std::vector<double> widths, heights;
+  for (const TrackedObservation& observation : track->observations) {
+    widths.push_back(observation.rectangle.width);
+    heights.push_back(observation.rectangle.height);
+  }
+  track->width = median(widths);
+  track->height = median(heights);
+}
+
+}  // namespace
+
+PoseLog readPoseLog(std::istream& in, const std::string& name) {
+  PoseLog log;
+  std::string text;
+  for (Location location{name, 1}; std::getline(in, text); ++location.line) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first == std::string::npos || text[first] == '#') continue;
+    const std::vector<double> numbers = parseNumbers(text, location);
+    const int columns = static_cast<int>(numbers.size());
+    if (log.columns == 0) {
+      if (columns != 3 && columns != 7 && columns != 9)
+        location.fail(std::to_string(columns) + " columns, expected 3 (x y z), 7 (+ qx qy qz qw) or 9 (+ width height)");
+      log.columns = columns;
+    }
+    if (columns != log.columns)
+      location.fail(std::to_string(columns) + " columns, expected " + std::to_string(log.columns) + " as in the lines before");
+    TrackedObservation observation;
+    observation.stamp = static_cast<double>(log.track.observations.size());
+    observation.rectangle = parseRectangle(numbers, location);
+    log.track.observations.push_back(observation);
+  }
+  if (log.track.observations.empty()) throw PoseLogError(name + ": no poses, expected one a line");
+  estimateSize(&log.track);
+  return log;
+}
+
+PoseLog readPoseLog(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw PoseLogError(path + ": cannot be opened: " + std::strerror(errno));
+  // A folder opens, but does not read.
+  in.peek();
+  if (in.bad()) throw PoseLogError(path + ": cannot be read, expected a text file");
+  return readPoseLog(in, path);
+}
+
+}  // namespace cabinet_articulation::core

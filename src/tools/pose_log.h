@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <istream>
+#include <stdexcept>
+#include <string>
+
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/// A log cannot be read. The message names the file, the line and what was expected there.
+class PoseLogError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A pose track in a text file, as the original release writes them: one pose a line, metres, blank lines and lines that
+/// start with # are skipped. 3 columns x y z; 7 columns + qx qy qz qw; 9 columns + width height, where the pose is a corner
+/// of the rectangle.
+struct PoseLog {
+  int columns = 0;
+  Track track;  ///< the given positions (3, 7 columns) or the rectangle's centres; stamps count the poses
+};
+
+/// Throws PoseLogError. Quaternions up to 5 % off unit length are normalised.
+PoseLog readPoseLog(std::istream& in, const std::string& name);
+PoseLog readPoseLog(const std::string& path);
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/articulation_learner.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "articulation/synthetic_tracks.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+SyntheticFront door() { return {}; }
+
+SyntheticFront drawer() {
+  SyntheticFront front;
+  front.type = JointType::kPrismatic;
+  front.height = 0.125;
+  front.q_end = 0.3;
+  return front;
+}
+
+SyntheticFront still() {
+  SyntheticFront front;
+  front.type = JointType::kRigid;
+  return front;
+}
+
+double probability(const LearnedModel& model, JointType type) { return model.probabilities.at(static_cast<std::size_t>(type)); }
+
+TEST(ArticulationLearner, LearnsADoor) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SyntheticFront front = door();
+    front.seed = seed;
+    const LearnedModel model = learn(syntheticTrack(front));
+    EXPECT_TRUE(model.moved);
+    EXPECT_TRUE(model.explained);
+    EXPECT_GT(probability(model, JointType::kRotational), 0.95) << seed;
+    // 100 positions with 3 mm noise leave the bend's depth uncertain by 0.3 mm. Over 69 degrees it is 3.5 cm deep, so that
+    // the radius is uncertain by 2 %, and the tilt about the chord by 1.6 degrees were there no orientations.
+    EXPECT_NEAR(model.radius, 0.2, 0.012) << seed;
+    EXPECT_LT(angleBetweenLines(model.axis, trueAxis(front)), 2 * kDegree) << seed;
+    EXPECT_GT(model.axis.dot(trueAxis(front)), 0) << "q must grow with the opening";
+    EXPECT_LT((model.axis_point - trueAxisPoint(front)).norm(), 0.015) << seed;
+    // The noise of the first and the farthest pose, 3 mm at 20 cm, is in the range.
+    EXPECT_NEAR(model.q_max, 1.2, 0.08) << seed;
+    EXPECT_LT(predictionError(front, model, 0, 1.2), 0.01) << seed;
+  }
+}
+
+TEST(ArticulationLearner, LearnsADrawer) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SyntheticFront front = drawer();
+    front.seed = seed;
+    const LearnedModel model = learn(syntheticTrack(front));
+    EXPECT_TRUE(model.moved);
+    EXPECT_GT(probability(model, JointType::kPrismatic), 0.95) << seed;
+    EXPECT_GT(model.axis.dot(trueAxis(front)), std::cos(0.8 * kDegree)) << seed;
+    EXPECT_NEAR(model.q_max, 0.3, 0.01) << seed;
+    // q = 0 is where the first pose was seen, which has 3 mm noise.
+    EXPECT_LT(predictionError(front, model, 0, 0.3), 0.01) << seed;
+    EXPECT_EQ(model.radius, 0);
+  }
+}
+
+TEST(ArticulationLearner, NothingThatStandsStillMoves) {
+  for (const double drift : {0.0, 0.004, 0.007}) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      SyntheticFront front = still();
+      front.seed = seed;
+      front.drift = drift;
+      const LearnedModel model = learn(syntheticTrack(front));
+      EXPECT_FALSE(model.moved) << drift << " " << seed;
+      EXPECT_EQ(model.type, JointType::kRigid) << drift << " " << seed;
+    }
+  }
+}
+
+TEST(ArticulationLearner, ProbabilitiesSumToOne) {
+  for (const SyntheticFront& front : {door(), drawer(), still()}) {
+    const LearnedModel model = learn(syntheticTrack(front));
+    double sum = 0;
+    for (const double p : model.probabilities) sum += p;
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_EQ(model.type, front.type);
+  }
+}
+
+TEST(ArticulationLearner, SurvivesOutliers) {
+  for (SyntheticFront front : {door(), drawer()}) {
+    front.outliers = 0.15;
+    for (front.seed = 1; front.seed <= 5; ++front.seed) {
+      const LearnedModel model = learn(syntheticTrack(front));
+      EXPECT_EQ(model.type, front.type) << front.seed;
+      EXPECT_TRUE(model.explained);
+      EXPECT_LT(angleBetweenLines(model.axis, trueAxis(front)), 4 * kDegree) << front.seed;
+    }
+  }
+}
+
+TEST(ArticulationLearner, ReportsTheCentreOfTheFrontWhateverItsDescription) {
+  const Track track = syntheticTrack(door());
+  const LearnedModel reference = learn(track);
+  for (int k = 1; k < kDescriptions; ++k) {
+    Track other = track;
+    for (TrackedObservation& observation : other.observations) observation.rectangle = describe(observation.rectangle, k);
+    if (k % 2 == 1) std::swap(other.width, other.height);
+    const LearnedModel model = learn(other);
+    EXPECT_EQ(model.type, JointType::kRotational);
+    EXPECT_NEAR(model.radius, reference.radius, 0.003) << k;
+    EXPECT_LT((model.axis_point - reference.axis_point).norm(), 0.005) << k;
+    EXPECT_GT(model.axis.dot(reference.axis), std::cos(0.3 * kDegree)) << k;
+  }
+}
+
+TEST(ArticulationLearner, ClosingAgainChangesNothing) {
+  SyntheticFront front = door();
+  Track track = syntheticTrack(front);
+  const LearnedModel opened = learn(track);
+  std::swap(front.q_start, front.q_end);
+  front.seed = 2;
+  for (TrackedObservation observation : syntheticTrack(front).observations) {
+    observation.stamp += 100;
+    track.observations.push_back(observation);
+  }
+  const LearnedModel model = learn(track);
+  EXPECT_EQ(model.type, JointType::kRotational);
+  EXPECT_NEAR(model.q, 0, 0.05);
+  EXPECT_NEAR(model.q_max, opened.q_max, 0.05);
+  EXPECT_NEAR(model.radius, opened.radius, 0.004);
+}
+
+TEST(ArticulationLearner, AnUpdateAgreesWithAFreshFit) {
+  const Track whole = syntheticTrack(door());
+  ArticulationLearner learner({});
+  Track grown = whole;
+  LearnedModel model;
+  for (std::size_t n = 1; n <= whole.observations.size(); ++n) {
+    grown.observations.assign(whole.observations.begin(), whole.observations.begin() + static_cast<std::ptrdiff_t>(n));
+    model = learner.process({grown}).at(0);
+  }
+  const LearnedModel fresh = learn(whole);
+  EXPECT_EQ(model.type, fresh.type);
+  EXPECT_NEAR(model.radius, fresh.radius, 0.003);
+  EXPECT_LT((model.axis_point - fresh.axis_point).norm(), 0.004);
+}
+
+TEST(ArticulationLearner, TheSameInputGivesTheSameOutput) {
+  const Track track = syntheticTrack(door());
+  const LearnedModel a = learn(track), b = learn(track);
+  EXPECT_EQ(a.radius, b.radius);
+  EXPECT_EQ(a.covariance, b.covariance);
+  EXPECT_EQ(a.probabilities, b.probabilities);
+}
+
+TEST(ArticulationLearner, ForgetsTracksThatAreGone) {
+  Track first = syntheticTrack(door()), second = syntheticTrack(drawer());
+  first.id = 9;
+  second.id = 3;
+  ArticulationLearner learner({});
+  const std::vector<LearnedModel> both = learner.process({first, second});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].id, 3u);
+  EXPECT_EQ(both[1].id, 9u);
+  EXPECT_EQ(learner.process({first}).size(), 1u);
+  EXPECT_TRUE(learner.process({}).empty());
+}
+
+TEST(ArticulationLearner, ATrackWithoutUsablePosesHasNoModel) {
+  Track track;
+  EXPECT_TRUE(ArticulationLearner({}).process({track}).empty());
+  track = syntheticTrack(door());
+  for (TrackedObservation& observation : track.observations)
+    observation.rectangle.pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(ArticulationLearner({}).process({track}).empty());
+}
+
+TEST(ArticulationLearner, KeepsWhatItLearnedWhenBadInputComes) {
+  Track track = syntheticTrack(door());
+  ArticulationLearner learner({});
+  const LearnedModel before = learner.process({track}).at(0);
+  for (TrackedObservation& observation : track.observations)
+    observation.rectangle.pose.linear() *= std::numeric_limits<double>::quiet_NaN();
+  track.observations.pop_back();
+  const std::vector<LearnedModel> after = learner.process({track});
+  ASSERT_EQ(after.size(), 1u);
+  EXPECT_EQ(after[0].radius, before.radius);
+}
+
+TEST(ArticulationLearner, IgnoresSinglePosesThatAreNotFinite) {
+  Track track = syntheticTrack(door());
+  const LearnedModel clean = learn(track);
+  track.observations[50].rectangle.pose.translation().y() = std::numeric_limits<double>::infinity();
+  track.observations[60].rectangle.pose.linear().setZero();
+  track.observations[70].covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  track.observations[80].rectangle.width = std::numeric_limits<double>::quiet_NaN();
+  const LearnedModel model = learn(track);
+  EXPECT_EQ(model.type, JointType::kRotational);
+  EXPECT_NEAR(model.radius, clean.radius, 0.002);
+}
+
+TEST(ArticulationLearner, OnePoseIsRigid) {
+  SyntheticFront front = door();
+  front.poses = 1;
+  const LearnedModel model = learn(syntheticTrack(front));
+  EXPECT_FALSE(model.moved);
+  EXPECT_EQ(model.type, JointType::kRigid);
+  EXPECT_EQ(model.observations, 1);
+  EXPECT_TRUE(model.covariance.allFinite());
+}
+
+TEST(ArticulationLearner, IdenticalPosesAreRigid) {
+  SyntheticFront front = still();
+  front.noise = front.turn_noise = 0;
+  const LearnedModel model = learn(syntheticTrack(front));
+  EXPECT_FALSE(model.moved);
+  EXPECT_LT((model.origin.translation() - closedPose().translation()).norm(), 1e-6);
+}
+
+TEST(ArticulationLearner, StampsOutOfOrderAreSorted) {
+  const Track track = syntheticTrack(door());
+  Track shuffled = track;
+  std::shuffle(shuffled.observations.begin(), shuffled.observations.end(), std::mt19937(5));
+  const LearnedModel a = learn(track), b = learn(shuffled);
+  EXPECT_EQ(a.radius, b.radius);
+  EXPECT_EQ(a.probabilities, b.probabilities);
+}
+
+TEST(ArticulationLearner, AJumpOfAMetreIsNotMotionAlongAJoint) {
+  Track track = syntheticTrack(still());
+  track.observations[50].rectangle.pose.pretranslate(Eigen::Vector3d(1, 0, 0));
+  EXPECT_FALSE(learn(track).moved);
+}
+
+TEST(ArticulationLearner, AHundredThousandPosesAreBounded) {
+  SyntheticFront front = door();
+  front.poses = 100000;
+  const LearnedModel model = learn(syntheticTrack(front));
+  EXPECT_EQ(model.type, JointType::kRotational);
+  EXPECT_EQ(model.observations, 100000);
+  EXPECT_NEAR(model.radius, 0.2, 0.004);
+}
+
+TEST(ArticulationLearner, RefusesSettingsOutOfRange) {
+  ArticulationConfig config;
+  config.sigma_position = 0;
+  EXPECT_THROW(ArticulationLearner{config}, ConfigError);
+}
+
+TEST(FitAllModels, BestFirst) {
+  const std::vector<LearnedModel> models = fitAllModels(syntheticTrack(drawer()), {});
+  ASSERT_EQ(models.size(), 3u);
+  EXPECT_EQ(models[0].type, JointType::kPrismatic);
+  EXPECT_GE(probability(models[1], models[1].type), probability(models[2], models[2].type));
+  EXPECT_TRUE(fitAllModels(Track{}, {}).empty());
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+
+namespace cabinet_articulation::core {
+
+/// How a front moves in truth, and what its detections look like.
+struct SyntheticFront {
+  JointType type = JointType::kRotational;
+  double width = 0.4, height = 0.6;
+  double q_start = 0, q_end = 1.2;  ///< rad, or m when it slides
+  int poses = 100;
+  double period = 1.0 / 15;       ///< [s]
+  double noise = 0.003;           ///< [m] of the centre, each frame
+  double turn_noise = 0.01;       ///< [rad]
+  double drift = 0;               ///< [m] standard deviation of slowly changing noise
+  double drift_memory = 0.95;     ///< correlation of the drift with the frame before
+  double outliers = 0;            ///< share of poses that are off by decimetres
+  bool mixed_quaternions = true;  ///< rotations come from quaternions of either sign
+  unsigned seed = 1;
+};
+
+inline Eigen::Isometry3d closedPose() {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(Eigen::Vector3d(0.1, -0.2, 1.5));
+  pose.rotate(Eigen::AngleAxisd(2.9, Eigen::Vector3d(1, 0.15, 0.1).normalized()));
+  return pose;
+}
+
+/// Doors turn about their edge at -x, which y follows.
+inline Eigen::Vector3d trueAxis(const SyntheticFront& front) {
+  return front.type == JointType::kPrismatic ? Eigen::Vector3d(closedPose().linear().col(2))
+                                             : Eigen::Vector3d(-closedPose().linear().col(1));
+}
+
+inline Eigen::Vector3d trueAxisPoint(const SyntheticFront& front) {
+  return closedPose() * Eigen::Vector3d(-front.width / 2, 0, 0);
+}
+
+inline Eigen::Isometry3d truePose(const SyntheticFront& front, double q) {
+  if (front.type == JointType::kRigid) return closedPose();
+  if (front.type == JointType::kPrismatic) return Eigen::Translation3d(q * trueAxis(front)) * closedPose();
+  const Eigen::Vector3d point = trueAxisPoint(front);
+  return Eigen::Translation3d(point) * Eigen::AngleAxisd(q, trueAxis(front)) * Eigen::Translation3d(-point) * closedPose();
+}
+
+inline Track syntheticTrack(const SyntheticFront& front) {
+  std::mt19937 random(front.seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  const auto vector = [&]() { return Eigen::Vector3d(normal(random), normal(random), normal(random)); };
+  Track track;
+  track.id = 7;
+  track.width = front.width;
+  track.height = front.height;
+  Eigen::Vector3d drift = front.drift * vector();
+  for (int i = 0; i < front.poses; ++i) {
+    const double share = front.poses > 1 ? static_cast<double>(i) / (front.poses - 1) : 0;
+    TrackedObservation observation;
+    observation.stamp = 10 + i * front.period;
+    observation.rectangle.width = front.width;
+    observation.rectangle.height = front.height;
+    Eigen::Isometry3d pose = truePose(front, front.q_start + share * (front.q_end - front.q_start));
+    drift = front.drift_memory * drift + std::sqrt(1 - front.drift_memory * front.drift_memory) * front.drift * vector();
+    pose.pretranslate(front.noise * vector() + drift);
+    const Eigen::Vector3d turn = front.turn_noise * vector();
+    pose.rotate(Eigen::AngleAxisd(turn.norm(), turn.norm() > 0 ? Eigen::Vector3d(turn.normalized()) : Eigen::Vector3d::UnitX()));
+    if (uniform(random) < front.outliers) {
+      pose.pretranslate(0.3 * vector());
+      pose.rotate(Eigen::AngleAxisd(normal(random), Eigen::Vector3d::UnitX()));
+    }
+    if (front.mixed_quaternions) {
+      Eigen::Quaterniond q(pose.linear());
+      if (uniform(random) < 0.5) q.coeffs() = -q.coeffs();
+      pose.linear() = q.toRotationMatrix();
+    }
+    observation.rectangle.pose = pose;
+    track.observations.push_back(observation);
+  }
+  return track;
+}
+
+/// The only model of one track.
+inline LearnedModel learn(const Track& track, const ArticulationConfig& config = {}) {
+  return ArticulationLearner(config).process({track}).at(0);
+}
+
+/// [rad] between two directions, whatever their sign.
+inline double angleBetweenLines(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::asin(std::min(1.0, a.normalized().cross(b.normalized()).norm()));
+}
+
+/// [m] mean distance of the predicted from the true front's centre between two true configurations.
+inline double predictionError(const SyntheticFront& front, const LearnedModel& model, double q_from, double q_to) {
+  constexpr int kSteps = 20;
+  double sum = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double q = q_from + (q_to - q_from) * i / kSteps;
+    sum += (model.predict(q - front.q_start).translation() - truePose(front, q).translation()).norm();
+  }
+  return sum / (kSteps + 1);
+}
+
+}  // namespace cabinet_articulation::core

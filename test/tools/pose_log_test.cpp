@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_log.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace cabinet_articulation::core {
+namespace {
+
+PoseLog read(const std::string& text) {
+  std::istringstream in(text);
+  return readPoseLog(in, "some.log");
+}
+
+/// The message with which a log is refused; empty if it is not.
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const PoseLogError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PoseLog, ReadsPositions) {
+  const PoseLog log = read("1 2 3\n\n  # comment\n\t4e-1 5 6 \r\n");
+  EXPECT_EQ(log.columns, 3);
+  ASSERT_EQ(log.track.observations.size(), 2u);
+  EXPECT_EQ(log.track.observations[0].rectangle.center(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(log.track.observations[1].rectangle.center(), Eigen::Vector3d(0.4, 5, 6));
+  EXPECT_LT(log.track.observations[0].stamp, log.track.observations[1].stamp);
+  EXPECT_EQ(log.track.width, 0);
+}
+
+TEST(PoseLog, ReadsPoses) {
+  const PoseLog log = read("1 2 3 0 0 0.7071 0.7071\n");
+  EXPECT_EQ(log.columns, 7);
+  const Eigen::Isometry3d& pose = log.track.observations.at(0).rectangle.pose;
+  EXPECT_LT((pose * Eigen::Vector3d::UnitX() - Eigen::Vector3d(1, 3, 3)).norm(), 1e-3);
+  EXPECT_TRUE((pose.linear() * pose.linear().transpose()).isIdentity(1e-12)) << "normalised";
+}
+
+TEST(PoseLog, RectanglesAreGivenByACorner) {
+  const PoseLog log = read("1 2 3 0 0 0 1 0.4 0.6\n1 2 3 0 0 0 -1 0.5 0.6\n1 2 3 0 0 0 1 0.4 0.8\n");
+  EXPECT_EQ(log.columns, 9);
+  EXPECT_TRUE(log.track.observations[0].rectangle.center().isApprox(Eigen::Vector3d(1.2, 2.3, 3)));
+  EXPECT_TRUE(log.track.observations[1].rectangle.center().isApprox(Eigen::Vector3d(1.25, 2.3, 3)));
+  EXPECT_EQ(log.track.width, 0.4);
+  EXPECT_EQ(log.track.height, 0.6);
+}
+
+TEST(PoseLog, RefusalsNameFileAndLine) {
+  EXPECT_EQ(refusal(""), "some.log: no poses, expected one a line");
+  EXPECT_EQ(refusal("\n# nothing\n"), "some.log: no poses, expected one a line");
+  EXPECT_EQ(refusal("1 2\n"), "some.log:1: 2 columns, expected 3 (x y z), 7 (+ qx qy qz qw) or 9 (+ width height)");
+  EXPECT_EQ(refusal("1 2 3\n\n1 2\n"), "some.log:3: 2 columns, expected 3 as in the lines before");
+  EXPECT_EQ(refusal("1 2 3 0 0 0 1\n1 2 3\n"), "some.log:2: 3 columns, expected 7 as in the lines before");
+  EXPECT_EQ(refusal("1 2 x3\n"), "some.log:1: 'x3' is not a number");
+  EXPECT_EQ(refusal("1 2 3\n1 nan 3\n"), "some.log:2: 'nan' is not finite");
+  EXPECT_EQ(refusal("1 2 3\n1 inf 3\n"), "some.log:2: 'inf' is not finite");
+  EXPECT_EQ(refusal("1 2 3 0 0 0 0\n"), "some.log:1: the quaternion qx qy qz qw has length 0.000000, expected 1");
+  EXPECT_EQ(refusal("1 2 3 0 0 0 2\n"), "some.log:1: the quaternion qx qy qz qw has length 2.000000, expected 1");
+  EXPECT_EQ(refusal("1 2 3 0 0 0 1 0 0.6\n"), "some.log:1: width and height must be positive");
+}
+
+TEST(PoseLog, MissingFilesAndFoldersAreRefused) {
+  EXPECT_THROW(readPoseLog("/no/such/file.log"), PoseLogError);
+  EXPECT_THROW(readPoseLog("/"), PoseLogError);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core

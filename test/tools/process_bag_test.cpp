@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cabinet_articulation/ArticulationModelArray.h>
+#include <cabinet_articulation/RectangleArray.h>
+#include <cabinet_articulation/TrackArray.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <opencv2/imgproc.hpp>
+#include <set>
+
+#include "tools/stereo_bag_fixture.h"
+
+namespace cabinet_articulation {
+namespace {
+
+/// One stereo pair before it is written, so that tests can spoil it.
+struct Frame {
+  sensor_msgs::Image left, right;
+  sensor_msgs::CameraInfo left_info, right_info;
+};
+
+class ProcessBag : public StereoBagFixture {
+ protected:
+  /// A few small grey frames; `spoil` changes each before it is written.
+  void writeGrey(
+      const std::string& name, const std::function<void(int, Frame&)>& spoil = [](int, Frame&) {}) const {
+    core::StereoCamera camera;
+    camera.width = 320;
+    camera.height = 240;
+    camera.fx = camera.fy = 300;
+    camera.cx = 160;
+    camera.cy = 120;
+    camera.baseline = 0.1;
+    rosbag::Bag bag(path(name), rosbag::bagmode::Write);
+    for (int i = 0; i < 3; ++i) {
+      const ros::Time stamp(100 + i);
+      const cv::Mat1b grey(camera.height, camera.width, 100);
+      Frame frame{imageOf(grey, stamp), imageOf(grey, stamp), infoOf(camera, false, stamp), infoOf(camera, true, stamp)};
+      spoil(i, frame);
+      write(bag, frame, stamp);
+    }
+  }
+
+  static void write(rosbag::Bag& bag, const Frame& frame, const ros::Time& time) {
+    bag.write("/stereo/left/image_raw", time, frame.left);
+    bag.write("/stereo/right/image_raw", time, frame.right);
+    bag.write("/stereo/left/camera_info", time, frame.left_info);
+    bag.write("/stereo/right/camera_info", time, frame.right_info);
+  }
+
+  /// The simulated door from a wandering camera, with tf. At most `frames` of it.
+  core::SimulationConfig writeDoor(const std::string& name, int frames = 1000) const {
+    core::SimulationConfig config;
+    config.scene = "door";
+    config.rate = 3;
+    config.camera_motion = 0.05;
+    core::SimulatedStereoCamera simulation(config);
+    rosbag::Bag bag(path(name), rosbag::bagmode::Write);
+    for (int i = 0; i < std::min(frames, simulation.frameCount()); ++i) {
+      const ros::Time stamp(100 + i / config.rate);
+      const core::StereoFrame frame = simulation.frame(i);
+      tf2_msgs::TFMessage transforms;
+      transforms.transforms.push_back(tf2::eigenToTransform(frame.truth.T_world_camera));
+      transforms.transforms[0].header.stamp = stamp;
+      transforms.transforms[0].header.frame_id = "world";
+      transforms.transforms[0].child_frame_id = kOpticalFrame;
+      bag.write("/tf", stamp, transforms);
+      write(bag,
+            {imageOf(frame.left, stamp), imageOf(frame.right, stamp), infoOf(simulation.camera(), false, stamp),
+             infoOf(simulation.camera(), true, stamp)},
+            stamp);
+    }
+    return config;
+  }
+
+  void expectFailure(const std::string& arguments, const std::string& words) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_NE(outcome.output.find(words), std::string::npos) << "expected '" << words << "' in:\n" << outcome.output;
+  }
+};
+
+TEST_F(ProcessBag, LearnsADoorInTheFixedFrame) {
+  const core::SimulationConfig config = writeDoor("door.bag");
+  const Outcome outcome = run("door.bag out.bag --fixed-frame world");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("rotational"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("articulation"), std::string::npos) << "milliseconds of each stage";
+
+  core::SimulatedStereoCamera simulation(config);
+  rosbag::Bag bag(path("out.bag"));
+  std::set<ros::Time> stamps;
+  ArticulationModelArray::ConstPtr models;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag)) {
+    if (const auto rectangles = instance.instantiate<RectangleArray>()) {
+      EXPECT_EQ(rectangles->header.frame_id, "world");
+      stamps.insert(rectangles->header.stamp);
+    }
+    if (const auto message = instance.instantiate<ArticulationModelArray>()) models = message;
+  }
+  EXPECT_EQ(stamps.size(), static_cast<size_t>(simulation.frameCount())) << "every frame, with its own stamp";
+  EXPECT_EQ(*stamps.begin(), ros::Time(100));
+  ASSERT_TRUE(models);
+  int movers = 0;
+  for (const ArticulationModel& model : models->models) {
+    if (!model.moved) continue;
+    ++movers;
+    EXPECT_GT(std::abs(model.axis.z), std::cos(3 * M_PI / 180)) << "the hinge is upright in the world";
+  }
+  EXPECT_EQ(movers, 1);
+}
+
+TEST_F(ProcessBag, TheSameInputGivesTheSameBytes) {
+  writeDoor("door.bag", 10);
+  ASSERT_EQ(run("door.bag first.bag").status, 0);
+  ASSERT_EQ(run("door.bag second.bag").status, 0);
+  EXPECT_GT(bytes(path("first.bag")).size(), 10000u);
+  EXPECT_TRUE(bytes(path("first.bag")) == bytes(path("second.bag")));
+}
+
+TEST_F(ProcessBag, WritesAllTopicsAlsoWhenNothingIsSeen) {
+  writeGrey("grey.bag");
+  const Outcome outcome = run("grey.bag out.bag");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("3 frames"), std::string::npos);
+  EXPECT_NE(outcome.output.find("nothing moved"), std::string::npos);
+  rosbag::Bag bag(path("out.bag"));
+  std::map<std::string, int> counts;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag)) ++counts[instance.getTopic()];
+  EXPECT_EQ(counts["/cabinet/rectangles"], 3);
+  EXPECT_EQ(counts["/cabinet/models"], 3);
+  EXPECT_GE(counts["/cabinet/tracks"], 3);
+}
+
+TEST_F(ProcessBag, ConvertsColour) {
+  writeGrey("colour.bag", [](int, Frame& frame) {
+    const cv::Mat3b colour(240, 320, cv::Vec3b(50, 100, 150));
+    frame.left = imageOf(colour, frame.left.header.stamp, "bgr8");
+    frame.right = imageOf(colour, frame.right.header.stamp, "bgr8");
+  });
+  const Outcome outcome = run("colour.bag out.bag");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
+TEST_F(ProcessBag, SaysWhatIsWrongWithAFile) {
+  expectFailure("none.bag out.bag", "none.bag: no such file");
+  std::ofstream(path("text.bag")) << "this is no bag\n";
+  expectFailure("text.bag out.bag", "text.bag: not a complete bag file");
+  std::filesystem::create_directory(path("folder.bag"));
+  expectFailure("folder.bag out.bag", "folder.bag: not a file");
+  writeGrey("whole.bag");
+  const std::string whole = bytes(path("whole.bag"));
+  std::ofstream(path("cut.bag"), std::ios::binary) << whole.substr(0, whole.size() / 2);
+  expectFailure("cut.bag out.bag", "rosbag reindex");
+  EXPECT_FALSE(std::filesystem::exists(path("out.bag"))) << "nothing is written where nothing was read";
+}
+
+TEST_F(ProcessBag, SaysWhatIsWrongWithItsArguments) {
+  writeGrey("grey.bag");
+  expectFailure("grey.bag", "expected two bags");
+  expectFailure("grey.bag out.bag --speed 3", "unknown option or missing value: --speed");
+  expectFailure("grey.bag grey.bag", "same file");
+  expectFailure("grey.bag out.bag --config none", "configuration directory 'none' does not exist");
+  expectFailure("grey.bag none/out.bag", "cannot be written");
+  EXPECT_EQ(run("--help").status, 0);
+}
+
+TEST_F(ProcessBag, ListsTheTopicsThereAre) {
+  writeGrey("grey.bag");
+  const Outcome outcome = run("grey.bag out.bag --camera narrow");
+  EXPECT_EQ(outcome.status, 1);
+  for (const char* words : {"missing topics", "/narrow/left/image_raw (sensor_msgs/Image)", "/narrow/right/camera_info",
+                            "in the bag are", "/stereo/left/image_raw (sensor_msgs/Image)"})
+    EXPECT_NE(outcome.output.find(words), std::string::npos) << words << " in:\n" << outcome.output;
+}
+
+TEST_F(ProcessBag, SkipsPairsThatDoNotBelongTogether) {
+  writeGrey("stamps.bag", [](int i, Frame& frame) {
+    if (i == 1) frame.right.header.stamp += ros::Duration(0.01);
+  });
+  Outcome outcome = run("stamps.bag out.bag");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.output.find("2 frames of"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("skipped 1 frames: left image without a right image of the same stamp (first: 101."),
+            std::string::npos)
+      << outcome.output;
+
+  writeGrey("sizes.bag", [](int i, Frame& frame) {
+    if (i == 2) frame.right = imageOf(cv::Mat1b(120, 160, 100), frame.right.header.stamp);
+  });
+  outcome = run("sizes.bag out.bag");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.output.find("skipped 1 frames: left and right image and their CameraInfos differ in size"), std::string::npos)
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("160x120"), std::string::npos);
+
+  writeGrey("all.bag", [](int, Frame& frame) { frame.right.header.stamp += ros::Duration(0.01); });
+  expectFailure("all.bag out.bag", "no frame could be processed");
+}
+
+TEST_F(ProcessBag, RefusesAnUncalibratedCamera) {
+  writeGrey("baseline.bag", [](int, Frame& frame) { frame.right_info.P[3] = 0; });
+  expectFailure("baseline.bag out.bag", "P[3]");
+  writeGrey("focal.bag", [](int, Frame& frame) { frame.left_info.P[0] = frame.left_info.K[0] = 0; });
+  expectFailure("focal.bag out.bag", "focal length");
+}
+
+TEST_F(ProcessBag, SkipsFramesWithoutTransform) {
+  writeGrey("grey.bag");
+  const Outcome outcome = run("grey.bag out.bag --fixed-frame world");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.output.find("skipped 3 frames: no transform from 'left_optical' to 'world'"), std::string::npos)
+      << outcome.output;
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
