@@ -182,9 +182,3 @@ Config loadConfig(const std::string& path, std::vector<std::string>* warnings) {
 }
 
 }  // namespace cabinet_articulation::core
-
-#ifndef CABINET_ARTICULATION_SEPARATE_CORE
-namespace cabinet_articulation {
-using namespace core;
-}
-#endif

@@ -44,9 +44,3 @@ struct StereoCamera {
 };
 
 }  // namespace cabinet_articulation::core
-
-#ifndef CABINET_ARTICULATION_SEPARATE_CORE
-namespace cabinet_articulation {
-using namespace core;
-}
-#endif

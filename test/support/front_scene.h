@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "cabinet_articulation/geometry/rectangle.h"
+#include "support/ros_messages.h"
+
+namespace cabinet_articulation {
+namespace test {
+
+/// A rectangular front that faces the camera, hanging free in front of a wall. Noise-free.
+struct FrontScene {
+  core::StereoCamera camera = smallCamera();
+  core::Rectangle front{core::Rectangle{facingCamera(0.05, -0.02, 1.2), 0.4, 0.3}};
+  double wall = 1.8;  ///< [m] distance of the wall
+
+  /// A pose at (x, y, z) whose z axis looks back at the camera.
+  static Eigen::Isometry3d facingCamera(double x, double y, double z) {
+    return Eigen::Translation3d(x, y, z) * Eigen::Isometry3d(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));
+  }
+
+  double depth(int u, int v) const {
+    const Eigen::Vector3d p = front.center().z() * camera.ray(u, v) - front.center();
+    const bool on_front = std::abs(p.x()) < front.width / 2 && std::abs(p.y()) < front.height / 2;
+    return on_front ? front.center().z() : wall;
+  }
+
+  float disparity(int u, int v) const { return static_cast<float>(camera.disparity(depth(u, v))); }
+
+  stereo_msgs::DisparityImage disparityMessage(const std_msgs::Header& header) const {
+    return disparityImage(camera, header, [this](int u, int v) { return disparity(u, v); });
+  }
+};
+
+}  // namespace test
+}  // namespace cabinet_articulation
