@@ -3,106 +3,129 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/hal/intrin.hpp>
 
 #include "cabinet_articulation/rectangles/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kMargin = 0.04;             ///< share of the edge left out at either end, where the neighbouring edges begin
-constexpr double kMaxDepth = 0.6;            ///< share of the rectangle's depth that may be looked at from one edge
-constexpr float kMinPixels = 6;              ///< of a strip
-constexpr float kNoiseVariance = 4;          ///< [grey levels^2] keeps noise in textureless strips from correlating
-constexpr float kSmallestResidual = 0.005F;  ///< share of the variance that interpolation alone leaves unexplained
-constexpr int kReach = EdgeProfile::kOnPlane / 2;  ///< [px] largest disparity offset
+constexpr double kMargin = 0.04;               ///< share of the edge left out at either end, where the neighbouring edges begin
+constexpr double kMaxDepth = 0.6;              ///< share of the rectangle's depth that may be looked at from one edge
+constexpr float kMinPixels = 6;                ///< of a strip
+constexpr float kNoiseVariance = 4;            ///< [grey levels^2] keeps noise in textureless strips from correlating
+constexpr int kReach = EdgeProfile::kOnPlane;  ///< [px] largest disparity offset
+constexpr double kEnoughPixels = 128;          ///< of a strip
+
+cv::v_float32x4 load(const std::uint8_t* pixels) { return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand_q(pixels))); }
+
+void accumulate(float* sum, const cv::v_float32x4& value) { cv::v_store(sum, cv::v_load(sum) + value); }
 
 }  // namespace
 
+/// One image row: its pixels, and what is linear in u along it.
+struct EdgeProfile::Row {
+  const std::uint8_t *left, *right, *labels;
+  float strip, strip_step;    ///< place across the edge, in strips
+  float along, along_step;    ///< place along the edge, negative in the first half
+  float right_u, right_step;  ///< [px] column of the largest disparity tried in the right image
+  float last_column;          ///< [px] of right_u
+  int u_step;
+};
+
+void EdgeProfile::addRow(const Row& row, int u_begin, int u_end, Moments* halves[2]) {
+  for (int u = u_begin; u < u_end; u += row.u_step) {
+    const float strip = row.strip + row.strip_step * static_cast<float>(u);
+    const float right_u = row.right_u + row.right_step * static_cast<float>(u);
+    if (!(strip >= 0 && strip < kStrips && right_u >= 0 && right_u < row.last_column) || row.labels[u] == kOccluded) continue;
+    const int column = static_cast<int>(right_u);
+    const float fraction = right_u - static_cast<float>(column);
+    const std::uint8_t* right = row.right + column;
+    const float l = row.left[u];
+    Moments& m = halves[row.along + row.along_step * static_cast<float>(u) < 0 ? 0 : 1][static_cast<int>(strip)];
+    m.n += 1;
+    m.l += l;
+    m.ll += l * l;
+    for (int i = 0; i < Moments::kLanes; i += 4) {
+      const cv::v_float32x4 here = load(right + i);
+      const cv::v_float32x4 r = cv::v_muladd(cv::v_setall_f32(fraction), load(right + i + 1) - here, here);
+      accumulate(m.r + i, r);
+      accumulate(m.rr + i, r * r);
+      accumulate(m.lr + i, cv::v_setall_f32(l) * r);
+    }
+  }
+}
+
 EdgeProfile::EdgeProfile(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge) {
-  const DisparityPlane& plane = region.disparity_plane;
   const Eigen::Vector2d along = edge.b - edge.a;
+  const Eigen::Vector2d middle = (edge.a + edge.b) / 2;
   const Eigen::Vector2d from = edge.a + kMargin * along;
   const Eigen::Vector2d to = edge.b - kMargin * along;
   const double inside = std::min(kInside, kMaxDepth * edge.depth);
   const ImageQuad band{from - inside * edge.outward, to - inside * edge.outward, to + kOutside * edge.outward,
                        from + kOutside * edge.outward};
-  const int width = frame.left.cols;
-  const double half_length = 0.5 * along.squaredNorm();
-  forEachSpan(band, width, frame.left.rows, [&](int v, int u_begin, int u_end) {
-    const std::uint8_t* left = frame.left[v];
-    const std::uint8_t* right = frame.right[v];
-    const std::uint8_t* labels = region.mask[v];
-    for (int u = u_begin; u < u_end; ++u) {
-      if (labels[u] == kOccluded) continue;
-      const Eigen::Vector2d offset = Eigen::Vector2d(u, v) - edge.a;
-      const int strip = static_cast<int>((edge.outward.dot(offset) + kInside) / kStripWidth);
-      if (strip < 0 || strip >= kStrips) continue;
-      // A larger disparity lies further left in the right image: lane i holds the disparity i steps below the largest.
-      const double right_u = u - plane.at(u, v) - frame.camera.cx_difference - kReach;
-      if (!(right_u >= 0 && right_u < width - 2 * kReach - 2)) continue;
-      const int column = static_cast<int>(right_u);
-      const auto fraction = static_cast<float>(right_u - column);
-      const int shift = fraction < 0.5F ? 0 : 1;
-      const float half_fraction = fraction < 0.5F ? fraction + 0.5F : fraction - 0.5F;
-      float r[kLanes] = {};
-      for (int i = 0; i <= 2 * kReach; ++i) {
-        const std::uint8_t* p = right + column + i;
-        r[2 * i] = p[0] + fraction * (p[1] - p[0]);
-        const std::uint8_t* q = p + shift;
-        if (i < 2 * kReach) r[2 * i + 1] = q[0] + half_fraction * (q[1] - q[0]);
-      }
-      const float l = left[u];
-      Moments& m = halves_[along.dot(offset) > half_length ? 1 : 0][strip];
-      m.n += 1;
-      m.l += l;
-      m.ll += l * l;
-      for (int i = 0; i < kLanes; ++i) {
-        m.r[i] += r[i];
-        m.rr[i] += r[i] * r[i];
-        m.lr[i] += l * r[i];
-      }
-    }
+  // Long edges have more pixels than they need: leave out rows or columns, whichever the edge crosses.
+  const int stride = std::max(1, static_cast<int>(along.norm() / kEnoughPixels));
+  const bool upright = std::abs(along.y()) > std::abs(along.x());
+  const DisparityPlane& plane = region.disparity_plane;
+  Row row;
+  row.u_step = upright ? 1 : stride;
+  row.strip_step = static_cast<float>(edge.outward.x() / kStripWidth);
+  row.along_step = static_cast<float>(along.x());
+  row.right_step = static_cast<float>(1 - plane.a);
+  row.last_column = static_cast<float>(frame.right.cols - Moments::kLanes - 1);
+  Moments* halves[2] = {halves_[0].data(), halves_[1].data()};
+  forEachSpan(band, frame.left.cols, frame.left.rows, upright ? stride : 1, [&](int v, int u_begin, int u_end) {
+    row.left = frame.left[v];
+    row.right = frame.right[v];
+    row.labels = region.mask[v];
+    const Eigen::Vector2d place = Eigen::Vector2d(0, v) - middle;
+    row.strip = static_cast<float>((edge.outward.dot(place) + kInside) / kStripWidth);
+    row.along = static_cast<float>(along.dot(place));
+    row.right_u = static_cast<float>(-plane.at(0, v) - frame.camera.cx_difference - kReach);
+    addRow(row, u_begin, u_end, halves);
   });
 }
 
-EdgeProfile::Costs EdgeProfile::costs(const std::array<Moments, kStrips>& strips) {
-  Costs result;
+EdgeProfile::Residuals EdgeProfile::residuals(const std::array<Moments, kStrips>& strips) {
+  Residuals result;
   float most = 1;
   for (const Moments& m : strips) most = std::max(most, m.n);
   for (int k = 0; k < kStrips; ++k) {
     const Moments& m = strips[k];
     result.weight[k] = m.n < kMinPixels ? 0 : m.n / most;
-    result.cost[k].fill(0);
+    result.residual[k].fill(1);
     if (m.n < kMinPixels) continue;
     const float mean_l = m.l / m.n;
     const float variance_l = m.ll / m.n - mean_l * mean_l + kNoiseVariance;
     for (int i = 0; i < kOffsets; ++i) {
-      const int lane = kOffsets - 1 - i;
+      const int lane = kOffsets - 1 - i;  // a larger disparity lies further left in the right image
       const float mean_r = m.r[lane] / m.n;
       const float variance_r = m.rr[lane] / m.n - mean_r * mean_r + kNoiseVariance;
       const float covariance = m.lr[lane] / m.n - mean_l * mean_r;
-      result.cost[k][i] = std::log(std::max(1 - covariance / std::sqrt(variance_l * variance_r), kSmallestResidual));
+      result.residual[k][i] = 1 - covariance / std::sqrt(variance_l * variance_r);
     }
   }
   return result;
 }
 
-EdgeProfile::Costs EdgeProfile::whole() const {
-  std::array<Moments, kStrips> sum = halves_[0];
-  for (int k = 0; k < kStrips; ++k) {
-    const Moments& m = halves_[1][k];
-    sum[k].n += m.n;
-    sum[k].l += m.l;
-    sum[k].ll += m.ll;
-    for (int i = 0; i < kLanes; ++i) {
-      sum[k].r[i] += m.r[i];
-      sum[k].rr[i] += m.rr[i];
-      sum[k].lr[i] += m.lr[i];
-    }
+void EdgeProfile::Moments::add(const Moments& other) {
+  n += other.n;
+  l += other.l;
+  ll += other.ll;
+  for (int i = 0; i < kLanes; ++i) {
+    r[i] += other.r[i];
+    rr[i] += other.rr[i];
+    lr[i] += other.lr[i];
   }
-  return costs(sum);
 }
 
-EdgeProfile::Costs EdgeProfile::half(int index) const { return costs(halves_[index]); }
+EdgeProfile::Residuals EdgeProfile::whole() const {
+  std::array<Moments, kStrips> sum = halves_[0];
+  for (int k = 0; k < kStrips; ++k) sum[k].add(halves_[1][k]);
+  return residuals(sum);
+}
+
+EdgeProfile::Residuals EdgeProfile::half(int index) const { return residuals(halves_[index]); }
 
 }  // namespace cabinet_articulation::core

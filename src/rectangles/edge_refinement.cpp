@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/rectangles/edge_refinement.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cabinet_articulation/rectangles/edge_step.h"
@@ -8,9 +9,12 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kPasses = 2;             ///< the second starts from the first's edges and turn
-constexpr double kMaxTurn = 0.1;       ///< [rad] a larger turn is a mismatch
-constexpr double kHalfDistance = 0.5;  ///< of an edge's length, between the middles of its halves
+constexpr int kPasses = 2;                ///< the second starts from the first's edges and turn
+constexpr double kSettled = 1;            ///< [px] a smaller change needs no second pass
+constexpr double kMaxTurn = 0.1;          ///< [rad] a larger turn is a mismatch
+constexpr double kHalfSigma = 0.7;        ///< [px] of the place of half an edge
+constexpr double kMaskTurnSigma = 0.006;  ///< [rad] of the turn that the mask gave
+constexpr double kHalfDistance = 0.5;     ///< of an edge's length, between the middles of its halves
 
 struct EdgeShift {
   bool confirmed = false;
@@ -39,7 +43,7 @@ EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const Dept
   // The edge runs counter-clockwise, so if its second half lies further out the rectangle must turn clockwise.
   const double length = rectangle.side(1 - edgeAxis(edge));
   shift.turn = -(second.offset - first.offset) * image->metres_per_pixel / (kHalfDistance * length);
-  shift.turn_weight = length * length;
+  shift.turn_weight = std::pow(kHalfDistance * length / (kHalfSigma * image->metres_per_pixel), 2) / 2;
   return shift;
 }
 
@@ -52,15 +56,20 @@ RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region,
   if (frame.left.empty() || frame.right.empty()) return result;
   for (int pass = 0; pass < kPasses; ++pass) {
     const PlaneRectangle start = result.rectangle;
-    double turn = 0, weight = 0;
+    double turn = 0, weight = 1 / (kMaskTurnSigma * kMaskTurnSigma), moved = 0;
     for (const Edge edge : kEdges) {
       const EdgeShift shift = measure(chart, region, frame, start, edge, config);
       result.confirmed[edge] = shift.confirmed;
       result.rectangle.moveEdge(edge, shift.distance);
+      moved = std::max(moved, std::abs(shift.distance));
       turn += shift.turn_weight * shift.turn;
       weight += shift.turn_weight;
     }
-    if (weight > 0 && std::abs(turn / weight) < kMaxTurn) result.rectangle.angle += turn / weight;
+    if (weight > 0 && std::abs(turn / weight) < kMaxTurn) {
+      result.rectangle.angle += turn / weight;
+      moved = std::max(moved, std::abs(turn / weight) * std::hypot(start.width, start.height) / 2);
+    }
+    if (moved * chart.pixelsPerMetre() < kSettled) break;
   }
   return result;
 }

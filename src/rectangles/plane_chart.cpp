@@ -39,6 +39,7 @@ std::optional<PlaneChart> PlaneChart::at(const Plane& plane, const StereoCamera&
   Eigen::Matrix3d axes;
   axes << x, z.cross(x), *origin;
   chart.H_image_chart_ = K * axes;
+  chart.pixels_per_metre_ = camera.fx / origin->z();
   chart.H_chart_image_ = chart.H_image_chart_.inverse();
   return chart;
 }

@@ -11,6 +11,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kWeightScale = 1000;  ///< integers keep the sums exact; a row of 20,000 pixels still fits 32 bits
+constexpr int kAhead = 16;             ///< [px]
 
 std::vector<std::int32_t> labelWeights(const RectanglesConfig& config, bool paper) {
   // A value that is no label says nothing about the plane.
@@ -39,35 +40,44 @@ RectangleObjective::RectangleObjective(const RectanglesConfig& config)
 void RectangleObjective::setMask(const cv::Mat1b& mask) {
   mask_ = mask;
   sums_.resize(static_cast<size_t>(mask.rows) * (mask.cols + 1));
-  ready_.assign(mask.rows, 0);
+  ready_.assign(mask.rows, {});
 }
 
-const std::int32_t* RectangleObjective::rowSums(int v) const {
+inline const std::int32_t* RectangleObjective::rowSums(int v, int u_begin, int u_end) const {
+  const Range& ready = ready_[v];
+  if (u_begin < ready.begin || u_end > ready.end) extend(v, u_begin, u_end);
+  return sums_.data() + static_cast<size_t>(v) * (mask_.cols + 1);
+}
+
+void RectangleObjective::extend(int v, int u_begin, int u_end) const {
   std::int32_t* sums = sums_.data() + static_cast<size_t>(v) * (mask_.cols + 1);
-  if (ready_[v]) return sums;
   const std::uint8_t* labels = mask_[v];
-  std::int32_t sum = 0;
-  for (int u = 0; u < mask_.cols; ++u) {
-    sums[u] = sum;
-    sum += weights_[labels[u]];
+  Range& ready = ready_[v];
+  if (ready.begin == ready.end) {
+    ready.begin = ready.end = u_begin;
+    sums[u_begin] = 0;
   }
-  sums[mask_.cols] = sum;
-  ready_[v] = 1;
-  return sums;
+  // Somewhat more than asked for, since the search comes back with a slightly larger rectangle.
+  const int begin = std::max(u_begin - kAhead, 0);
+  const int end = std::min(u_end + kAhead, mask_.cols);
+  for (int u = ready.begin; u > begin; --u) sums[u - 1] = sums[u] - weights_[labels[u - 1]];
+  for (int u = ready.end; u < end; ++u) sums[u + 1] = sums[u] + weights_[labels[u]];
+  ready = {std::min(ready.begin, begin), std::max(ready.end, end)};
 }
 
-double RectangleObjective::gain(const ImageQuad& quad) const {
+double RectangleObjective::gain(const ImageQuad& quad, int row_step) const {
   constexpr double kForbidden = -std::numeric_limits<double>::infinity();
   if (paper_ && !insideImage(quad, mask_.size())) return kForbidden;
   std::int64_t sum = 0;
   std::int64_t pixels = 0;
-  forEachSpan(quad, mask_.cols, mask_.rows, [&](int v, int u_begin, int u_end) {
-    const std::int32_t* sums = rowSums(v);
+  forEachSpan(quad, mask_.cols, mask_.rows, row_step, [&](int v, int u_begin, int u_end) {
+    const std::int32_t* sums = rowSums(v, u_begin, u_end);
     sum += sums[u_end] - sums[u_begin];
     pixels += u_end - u_begin;
   });
   if (pixels == 0) return kForbidden;
-  const double inside = static_cast<double>(sum) / kWeightScale;
+  pixels *= row_step;
+  const double inside = static_cast<double>(sum * row_step) / kWeightScale;
   if (paper_) return inside / std::pow(pixels, 1 - alpha_);  // Eq. (3)
   return inside + outside_weight_ * std::max(0.0, area(quad) - static_cast<double>(pixels));
 }
@@ -75,7 +85,7 @@ double RectangleObjective::gain(const ImageQuad& quad) const {
 LabelCounts RectangleObjective::count(const ImageQuad& quad) const {
   LabelCounts counts;
   int total = 0;
-  forEachSpan(quad, mask_.cols, mask_.rows, [&](int v, int u_begin, int u_end) {
+  forEachSpan(quad, mask_.cols, mask_.rows, 1, [&](int v, int u_begin, int u_end) {
     const std::uint8_t* labels = mask_[v];
     int in_plane = 0, free = 0, occluded = 0, other = 0;
     for (int u = u_begin; u < u_end; ++u) {

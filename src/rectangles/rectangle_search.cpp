@@ -10,7 +10,9 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kMaxSweeps = 20;  ///< per step length; a guard, some five are usual
+constexpr double kRowShare = 0.25;  ///< of a step: rows between those that are looked at
+constexpr int kMaxRowStep = 8;      ///< [px]
+constexpr int kMaxSweeps = 20;      ///< per step length; a guard, some five are usual
 
 class GreedySearch {
  public:
@@ -18,9 +20,15 @@ class GreedySearch {
       : chart_(chart), objective_(objective), config_(config) {}
 
   SearchResult run(const PlaneRectangle& start, SearchFreedom freedom) {
-    best_ = {start, gain(start)};
-    for (double step = config_.first_step; step >= config_.last_step; step /= 2)
+    best_.rectangle = start;
+    const double pixels_per_metre = chart_.pixelsPerMetre();
+    for (double step = config_.first_step; step >= config_.last_step; step /= 2) {
+      row_step_ = std::clamp(static_cast<int>(step * pixels_per_metre * kRowShare), 1, kMaxRowStep);
+      best_.gain = gain(best_.rectangle);
       for (int sweep = 0; sweep < kMaxSweeps && improve(step, freedom); ++sweep) continue;
+    }
+    row_step_ = 1;
+    best_.gain = gain(best_.rectangle);
     return best_;
   }
 
@@ -55,12 +63,13 @@ class GreedySearch {
 
   double gain(const PlaneRectangle& rectangle) const {
     const std::optional<ImageQuad> quad = chart_.project(rectangle);
-    return quad ? objective_.gain(*quad) : -std::numeric_limits<double>::infinity();
+    return quad ? objective_.gain(*quad, row_step_) : -std::numeric_limits<double>::infinity();
   }
 
   const PlaneChart& chart_;
   const RectangleObjective& objective_;
   const RectanglesConfig& config_;
+  int row_step_ = 1;
   SearchResult best_;
 };
 

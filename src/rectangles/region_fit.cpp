@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPlaneDistance = 0.05;  ///< [m] a tracked front moves no farther between frames
 constexpr double kPlaneCosine = 0.9;     ///< 26 deg: turn between frames and a small front's error
-constexpr double kSameSize = 0.03;       ///< [m] a side that the free fit and the track agree on
+constexpr double kSameSize = 0.01;       ///< [m] a side that the free fit and the track agree on
 constexpr double kObservedEdge = 0.5;    ///< edge support from which a side counts as seen
 constexpr double kRandomSide = 0.2;      ///< [m] of a random start (original release)
 

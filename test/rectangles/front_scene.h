@@ -80,10 +80,10 @@ struct TexturedRectangle {
   std::uint32_t seed = 0;
 };
 
-/// Nearest surface along each pixel's ray, 3x3 samples a pixel; `right` renders from the right camera.
+/// Nearest surface along each pixel's ray, 2x2 samples a pixel; `right` renders from the right camera.
 inline cv::Mat1b renderView(const std::vector<TexturedRectangle>& surfaces, const StereoCamera& camera, bool right) {
   constexpr double kCell = 0.004;  // [m] some two pixels at 1.4 m
-  constexpr int kSamples = 3;
+  constexpr int kSamples = 2;
   const Eigen::Vector3d eye(right ? camera.baseline : 0, 0, 0);
   std::vector<Eigen::Isometry3d> to_surface;
   for (const TexturedRectangle& surface : surfaces) to_surface.push_back(surface.rectangle.pose.inverse());

@@ -19,34 +19,37 @@ class EdgeProfile {
   static constexpr double kInside = 16;       ///< [px] covered inside the edge
   static constexpr double kOutside = 8;       ///< [px] covered outside
   static constexpr int kStrips = static_cast<int>((kInside + kOutside) / kStripWidth);
-  static constexpr double kDisparityStep = 0.5;  ///< [px]
-  static constexpr int kOffsets = 13;            ///< disparities tried, the plane's own in the middle
+  static constexpr int kOffsets = 7;  ///< disparities tried, a pixel apart, the plane's own in the middle
   static constexpr int kOnPlane = kOffsets / 2;
 
   /// What the strips of an edge, or of half of it, say.
-  struct Costs {
-    /// log(1 - zero-mean normalised correlation) of each strip, innermost first, at the plane's disparity + (i - kOnPlane)
-    /// steps: up to a constant the negative log-likelihood of a pixel, so that costs of strips add up.
-    std::array<std::array<float, kOffsets>, kStrips> cost;
+  struct Residuals {
+    /// 1 - zero-mean normalised correlation of each strip, innermost first, at the plane's disparity + (i - kOnPlane) px.
+    std::array<std::array<float, kOffsets>, kStrips> residual;
     std::array<float, kStrips> weight;  ///< [0..1] share of the pixels that a full strip has
   };
 
   /// Pixels that the region's mask calls occluded are left out.
   EdgeProfile(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge);
 
-  Costs whole() const;
-  Costs half(int index) const;  ///< 0: from the edge's end `a` to its middle; 1: from there to `b`
+  Residuals whole() const;
+  Residuals half(int index) const;  ///< 0: from the edge's end `a` to its middle; 1: from there to `b`
 
   /// Offset [px] of a strip's inner border from the edge, positive outward.
   static double offset(int strip) { return strip * kStripWidth - kInside; }
 
  private:
-  static constexpr int kLanes = 16;  ///< kOffsets, padded for vector registers
+  /// Sums over the pixels of a strip: of the left image l and, for each disparity, of the right image r.
   struct Moments {
+    static constexpr int kLanes = 8;  ///< kOffsets, padded for vector registers
+    float r[kLanes] = {}, rr[kLanes] = {}, lr[kLanes] = {};
     float n = 0, l = 0, ll = 0;
-    std::array<float, kLanes> r{}, rr{}, lr{};
+
+    void add(const Moments& other);
   };
-  static Costs costs(const std::array<Moments, kStrips>& strips);
+  struct Row;
+  static void addRow(const Row& row, int u_begin, int u_end, Moments* halves[2]);
+  static Residuals residuals(const std::array<Moments, kStrips>& strips);
 
   std::array<std::array<Moments, kStrips>, 2> halves_{};
 };

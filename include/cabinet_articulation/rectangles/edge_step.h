@@ -15,6 +15,6 @@ struct EdgeStep {
 /// The innermost place from which on the strips no longer lie on the plane (ours). A strip has left it if the plane
 /// explains it worse than the strips inside, or if another depth explains it better: the side of a drawer's body leaves the
 /// plane so slowly that the plane still explains it well for many pixels, but never best.
-EdgeStep findStep(const EdgeProfile::Costs& costs);
+EdgeStep findStep(const EdgeProfile::Residuals& residuals);
 
 }  // namespace cabinet_articulation::core

@@ -16,41 +16,55 @@ inline double area(const ImageQuad& quad) {
   return std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
 }
 
-/// Calls use(v, u_begin, u_end) for each image row with the pixels [u_begin, u_end) whose centres lie in a convex
-/// quadrilateral, clipped to the image; a centre exactly on an edge may go either way. No allocation; some 3 ns a row.
-template <class Use>
-void forEachSpan(const ImageQuad& quad, int width, int height, Use&& use) {
-  int top = 0;
-  for (int i = 1; i < 4; ++i)
-    if (quad[i].y() < quad[top].y()) top = i;
-  // Two chains of edges lead down from the topmost corner; each knows its u at the current row and the step to the next.
-  struct Chain {
-    int corner, direction;
-    double u = 0, step = 0, bottom = -std::numeric_limits<double>::infinity();
-  };
-  Chain chains[2] = {{top, 1}, {top, 3}};
-  const int v_begin = static_cast<int>(std::ceil(std::max(quad[top].y(), 0.0)));
-  double lowest = quad[0].y();
-  for (int i = 1; i < 4; ++i) lowest = std::max(lowest, quad[i].y());
-  const int v_end = static_cast<int>(std::floor(std::min(lowest, height - 1.0))) + 1;
-  for (int v = v_begin; v < v_end; ++v) {
-    for (Chain& chain : chains) {
-      chain.u += chain.step;
-      while (chain.bottom < v) {
-        const Eigen::Vector2d& from = quad[chain.corner];
-        chain.corner = (chain.corner + chain.direction) % 4;
-        const Eigen::Vector2d& to = quad[chain.corner];
-        if (to.y() < v) continue;
-        chain.step = to.y() > from.y() ? (to.x() - from.x()) / (to.y() - from.y()) : 0;
-        chain.u = from.x() + chain.step * (v - from.y());
-        chain.bottom = to.y();
-      }
+namespace detail {
+
+/// One of the two chains of edges that lead down from a quadrilateral's topmost corner.
+struct EdgeChain {
+  int corner;
+  int direction;  ///< to the next corner, modulo 4
+  double u = 0, step = 0, bottom = -std::numeric_limits<double>::infinity();
+
+  /// Moves on to the edge that crosses row v.
+  void seek(const ImageQuad& quad, int v) {
+    while (bottom < v) {
+      const Eigen::Vector2d& from = quad[corner];
+      corner = (corner + direction) % 4;
+      const Eigen::Vector2d& to = quad[corner];
+      if (to.y() < v) continue;
+      step = to.y() > from.y() ? (to.x() - from.x()) / (to.y() - from.y()) : 0;
+      u = from.x() + step * (v - from.y());
+      bottom = to.y();
     }
-    const double left = std::max(std::min(chains[0].u, chains[1].u), 0.0);
-    const double right = std::min(std::max(chains[0].u, chains[1].u), width - 1.0);
-    const int u_begin = static_cast<int>(std::ceil(left));
-    const int u_end = static_cast<int>(std::floor(right)) + 1;
-    if (u_begin < u_end) use(v, u_begin, u_end);
+  }
+};
+
+}  // namespace detail
+
+/// Calls use(v, u_begin, u_end) for each image row with the pixels [u_begin, u_end) whose centres lie in a convex
+/// quadrilateral, clipped to the image; a centre exactly on an edge may go either way. With a `row_step` above 1, only rows
+/// that are its multiples. No allocation; some 3 ns a row.
+template <class Use>
+void forEachSpan(const ImageQuad& quad, int width, int height, int row_step, Use&& use) {
+  const auto lower = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.y() < b.y(); };
+  const auto [top, lowest] = std::minmax_element(quad.begin(), quad.end(), lower);
+  const int first = static_cast<int>(top - quad.begin());
+  detail::EdgeChain a{first, 1}, b{first, 3};
+  int v = static_cast<int>(std::ceil(std::max(top->y(), 0.0) / row_step)) * row_step;
+  const int v_end = static_cast<int>(std::floor(std::min(lowest->y(), height - 1.0))) + 1;
+  const double right_limit = width - 1.0;
+  while (v < v_end) {
+    a.seek(quad, v);
+    b.seek(quad, v);
+    const int v_stop = std::min(v_end, static_cast<int>(std::min({a.bottom, b.bottom, static_cast<double>(v_end)})) + 1);
+    for (; v < v_stop; v += row_step, a.u += row_step * a.step, b.u += row_step * b.step) {
+      const double left = std::max(std::min(a.u, b.u), 0.0);
+      const double right = std::min(std::max(a.u, b.u), right_limit);
+      // Truncation rounds down, for nothing is negative here except an empty span.
+      const int truncated = static_cast<int>(left);
+      const int u_begin = truncated + (truncated < left ? 1 : 0);
+      const int u_end = static_cast<int>(right + 1);
+      if (u_begin < u_end) use(v, u_begin, u_end);
+    }
   }
 }
 

@@ -56,12 +56,16 @@ class PlaneChart {
   /// The rectangle's centre and x axis dropped onto the plane, its size kept.
   PlaneRectangle fromSpace(const Rectangle& rectangle) const;
 
+  /// At the chart's origin, across the line of sight.
+  double pixelsPerMetre() const { return pixels_per_metre_; }
+
   const Eigen::Isometry3d& pose() const { return T_camera_chart_; }
 
  private:
   Eigen::Isometry3d T_camera_chart_ = Eigen::Isometry3d::Identity();
   Eigen::Matrix3d H_image_chart_ = Eigen::Matrix3d::Identity();  ///< chart [m] -> left image [px]; third row is the depth [m]
   Eigen::Matrix3d H_chart_image_ = Eigen::Matrix3d::Identity();
+  double pixels_per_metre_ = 0;
 };
 
 }  // namespace cabinet_articulation::core
