@@ -7,17 +7,14 @@
 
 namespace cabinet_articulation {
 
-void TransformSource::listen() {
-  std::lock_guard<std::mutex> lock(mutex_);
-  if (listener_) return;
-  buffer_ = std::make_unique<tf2_ros::Buffer>();
-  listener_ = std::make_unique<tf2_ros::TransformListener>(*buffer_);
-}
-
 Eigen::Isometry3d TransformSource::lookup(const std::string& target, const std::string& source, const ros::Time& stamp,
                                           double patience) {
   if (target == source) return Eigen::Isometry3d::Identity();
-  listen();
+  if (!listener_) {
+    buffer_ = std::make_unique<tf2_ros::Buffer>();
+    listener_ = std::make_unique<tf2_ros::TransformListener>(*buffer_);
+  }
+  if (clock_jump_(stamp)) buffer_->clear();
   std::string why;
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(patience);
   while (ros::ok() && !buffer_->canTransform(target, source, stamp, &why) && ros::WallTime::now() < deadline)

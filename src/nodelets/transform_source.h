@@ -7,12 +7,14 @@
 
 #include <Eigen/Geometry>
 #include <memory>
-#include <mutex>
 #include <string>
+
+#include "clock_jump.h"
 
 namespace cabinet_articulation {
 
-/// tf as the stages need it. Listens from the first question that needs an answer on; equal frames need none.
+/// tf as the stages need it. Listens from the first question that needs an answer on; equal frames need none. Forgets what
+/// it heard when stamps jump back (a looped bag): tf ignores everything that is older than what it knows.
 class TransformSource {
  public:
   /// T_target_source at `stamp`. Waits up to `patience` seconds of wall time for it, so that a paused bag blocks nobody.
@@ -20,9 +22,7 @@ class TransformSource {
   Eigen::Isometry3d lookup(const std::string& target, const std::string& source, const ros::Time& stamp, double patience);
 
  private:
-  void listen();
-
-  std::mutex mutex_;
+  ClockJump clock_jump_;
   std::unique_ptr<tf2_ros::Buffer> buffer_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
 };
