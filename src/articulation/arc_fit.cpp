@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cabinet_articulation/articulation/arc_problem.h"
 
@@ -18,7 +19,10 @@ constexpr double kPriorOrientation = 0.019;
 /// Smallest innovation [m], [rad] a sequence fit may believe in: rounding of logs.
 constexpr double kInnovationFloor = 5e-5;
 
-constexpr double kLikelihoodTolerance = 1e-3;
+/// Fits stop when a step gains less: far less than decides anything.
+constexpr double kLikelihoodTolerance = 0.02;
+constexpr int kRounds = 25;
+constexpr double kTrustRegion = 1e4;
 
 double squared(double x) { return x * x; }
 
@@ -100,8 +104,9 @@ class Fitter {
   static constexpr int kPositionRows = Problem::kPositionRows;
 
   Fitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
-    solver_.options.max_num_iterations = 8;
-    solver_.options.function_tolerance = 2 * kLikelihoodTolerance;
+    // One step at a time: scales and correlations change with every step, and so does the base of the increments.
+    solver_.options.max_num_iterations = 2;
+    solver_.options.function_tolerance = std::numeric_limits<double>::infinity();
     solver_.options.gradient_tolerance = 1e-9;
   }
 
@@ -114,12 +119,13 @@ class Fitter {
     return fit;
   }
 
-  double sequence(const Arc& start, PathShape shape, ResidualNoise noise) {
+  SequenceFit sequence(const Arc& start, PathShape shape, const ResidualNoise& noise) {
     const Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
-    Arc arc = start;
-    double likelihood = refineSequence(&arc, curvature, noise);
-    if (shape == PathShape::kCircle && limitCurvature(&arc)) likelihood = refineSequence(&arc, Curvature::kFixed, noise);
-    return likelihood;
+    SequenceFit fit{start, 0};
+    fit.log_likelihood = refineSequence(&fit.arc, curvature, noise);
+    if (shape == PathShape::kCircle && limitCurvature(&fit.arc))
+      fit.log_likelihood = refineSequence(&fit.arc, Curvature::kFixed, noise);
+    return fit;
   }
 
   /// J^T J at the fit.
@@ -148,34 +154,41 @@ class Fitter {
     return true;
   }
 
-  Arc solve(const Arc& base, Curvature curvature, const ResidualNoise& noise) {
-    const Problem problem(samples_, noise, base, curvature);
-    typename ceres::TinySolver<Problem>::Parameters x = ceres::TinySolver<Problem>::Parameters::Zero();
-    solver_.Solve(problem, &x);
-    return problem.arc(x.data());
+  /// A damped Gauss-Newton step. False: none that improves was found.
+  bool step(Arc* arc, Curvature curvature, const ResidualNoise& noise) {
+    const Problem problem(samples_, noise, *arc, curvature);
+    for (double radius = kTrustRegion; radius > kTrustRegion * 1e-9; radius *= 1e-2) {
+      solver_.options.initial_trust_region_radius = radius;
+      typename ceres::TinySolver<Problem>::Parameters x = ceres::TinySolver<Problem>::Parameters::Zero();
+      solver_.Solve(problem, &x);
+      if (x.isZero(0)) continue;
+      *arc = problem.arc(x.data());
+      return true;
+    }
+    return false;
   }
 
   ArcFit refineIndependent(Arc arc, Curvature curvature, ResidualNoise* noise) {
     ArcFit fit;
-    double previous_cost = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < 10; ++round) {
+    fit.cost = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kRounds; ++round) {
       const auto residuals = Problem(samples_, *noise, arc, curvature).rawResiduals();
       const double nu = config_.degrees_of_freedom;
-      const auto position = residuals.template topRows<kPositionRows>();
-      const auto orientation = residuals.template bottomRows<Problem::kRows - kPositionRows>();
-      fit.position_scale = studentScale(position, 2, nu, kPriorPosition, config_.sigma_position_floor, noise->position);
-      fit.cost = studentCost(position, 2, nu, fit.position_scale);
-      fit.orientation_scale = noise->orientation;
+      const auto positions = residuals.template topRows<kPositionRows>();
+      const double position_scale = studentScale(positions, 2, nu, kPriorPosition, config_.sigma_position_floor, noise->position);
+      double orientation_scale = noise->orientation;
+      double cost = studentCost(positions, 2, nu, position_scale);
       if constexpr (kWithOrientation) {
-        fit.orientation_scale =
-            studentScale(orientation, 3, nu, kPriorOrientation, config_.sigma_orientation_floor, noise->orientation);
-        fit.cost += studentCost(orientation, 3, nu, fit.orientation_scale);
+        const auto orientations = residuals.template bottomRows<Problem::kRows - kPositionRows>();
+        orientation_scale =
+            studentScale(orientations, 3, nu, kPriorOrientation, config_.sigma_orientation_floor, noise->orientation);
+        cost += studentCost(orientations, 3, nu, orientation_scale);
       }
-      fit.arc = arc;
-      useScales(fit.position_scale, fit.orientation_scale, noise);
-      if (previous_cost - fit.cost < 10 * kLikelihoodTolerance) break;
-      previous_cost = fit.cost;
-      arc = solve(arc, curvature, *noise);
+      const double gain = fit.cost - cost;
+      if (gain > 0) fit = {arc, position_scale, orientation_scale, cost};
+      if (gain < kLikelihoodTolerance) break;
+      useScales(position_scale, orientation_scale, noise);
+      if (!step(&arc, curvature, *noise)) break;
     }
     return fit;
   }
@@ -187,7 +200,7 @@ class Fitter {
     noise.sequence = true;
     noise.degrees_of_freedom = config_.sequence_degrees_of_freedom;
     const double nu = noise.degrees_of_freedom;
-    for (int round = 0; round < 15; ++round) {
+    for (int round = 0; round < kRounds; ++round) {
       const auto residuals = Problem(samples_, noise, next, curvature).rawResiduals();
       const auto positions = residuals.template topRows<kPositionRows>();
       position = estimateSequence(positions, 2, nu, position);
@@ -202,12 +215,12 @@ class Fitter {
         best = likelihood;
         *arc = next;
       }
-      if (gain < 10 * kLikelihoodTolerance) break;
+      if (gain < kLikelihoodTolerance) break;
       noise.position = position.scale;
       noise.position_correlation = position.correlation;
       noise.orientation = orientation.scale;
       noise.orientation_correlation = orientation.correlation;
-      next = solve(*arc, curvature, noise);
+      if (!step(&next, curvature, noise)) break;
     }
     return best;
   }
@@ -230,15 +243,12 @@ ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const std::vector<Ar
 }
 
 template <bool kWithOrientation>
-double sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const std::vector<Arc>& starts,
-                    const ArticulationConfig& config) {
-  Fitter<kWithOrientation> fitter(samples, config);
+SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
+                         const ArticulationConfig& config) {
   ResidualNoise noise;
   noise.placing_position = fit.position_scale;
   noise.placing_orientation = fit.orientation_scale;
-  double best = -std::numeric_limits<double>::infinity();
-  for (const Arc& start : starts) best = std::max(best, fitter.sequence(start, shape, noise));
-  return best;
+  return Fitter<kWithOrientation>(samples, config).sequence(start, shape, noise);
 }
 
 template <bool kWithOrientation>
@@ -260,10 +270,10 @@ Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const
                                  : covarianceOf<false>(samples, shape, fit, config);
 }
 
-double sequenceLogLikelihood(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const std::vector<Arc>& starts,
-                             const ArticulationConfig& config) {
-  return samples.has_orientation ? sequenceFrom<true>(samples, shape, fit, starts, config)
-                                 : sequenceFrom<false>(samples, shape, fit, starts, config);
+SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
+                           const ArticulationConfig& config) {
+  return samples.has_orientation ? sequenceFrom<true>(samples, shape, fit, start, config)
+                                 : sequenceFrom<false>(samples, shape, fit, start, config);
 }
 
 }  // namespace cabinet_articulation::core

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cabinet_articulation/articulation/model_registry.h"
 
@@ -50,14 +51,16 @@ bool FrontLearner::update(const Track& track) {
   candidates_.clear();
   for (const auto& model : models_) {
     if (!model->fit(spaced)) continue;
-    candidates_.push_back(evaluateCandidate(*model, spaced, config_));
+    candidates_.push_back(evaluateCandidate(model.get(), spaced, config_));
   }
   const PoseTrack sequence = fromFirstExplained(poses_, candidates_, 3 * config_.sigma_position);
+  double rival = -std::numeric_limits<double>::infinity();
   for (Candidate& candidate : candidates_) {
     if (!candidate.model->moves()) continue;
     const double parameters = candidate.model->complexity(sequence.has_orientation);
-    candidate.evidence =
-        candidate.model->sequenceLogLikelihood(sequence) - 0.5 * parameters * std::log(static_cast<double>(sequence.size()));
+    const double likelihood = candidate.model->sequenceLogLikelihood(sequence, rival);
+    candidate.evidence = likelihood - 0.5 * parameters * std::log(static_cast<double>(sequence.size()));
+    rival = std::max(rival, likelihood);
   }
   if (candidates_.empty()) return false;
   selection_ = selectModel(&candidates_, spaced, config_);

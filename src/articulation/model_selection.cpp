@@ -61,11 +61,11 @@ bool isMotion(const Candidate& candidate, const PoseTrack& track, const Articula
 
 }  // namespace
 
-Candidate evaluateCandidate(const ArticulationModel& model, const PoseTrack& track, const ArticulationConfig& config) {
+Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, const ArticulationConfig& config) {
   Candidate candidate;
-  candidate.model = &model;
-  candidate.residuals = model.residuals(track);
-  candidate.log_likelihood = model.logLikelihood(track, candidate.residuals);
+  candidate.model = model;
+  candidate.residuals = model->residuals(track);
+  candidate.log_likelihood = model->logLikelihood(track, candidate.residuals);
   const double limit = 3 * config.sigma_position;
   candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
   for (const Eigen::Vector3d& residual : candidate.residuals.position)

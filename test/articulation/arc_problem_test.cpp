@@ -63,10 +63,12 @@ void expectGradient(const ResidualNoise& noise, double curvature, bool weighted)
     track.orientation_weights.assign(track.size(), Eigen::Vector3d(0.9, 1, 0.5).asDiagonal());
   }
   const PoseSamples samples(track);
-  const Problem problem(samples, noise, exampleArc(curvature), Curvature::kFree);
+  Arc base = exampleArc(curvature);
+  base.middle += Eigen::Vector3d(0.004, -0.002, 0.006);
+  base.frame = base.frame * rotationFromVector(Eigen::Vector3d(0.01, 0.02, -0.03));
+  const Problem problem(samples, noise, base, Curvature::kFree);
   using Parameters = Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1>;
-  Parameters x;
-  for (int i = 0; i < x.size(); ++i) x[i] = 0.004 * (i % 3 - 1) + 0.002;
+  const Parameters x = Parameters::Zero();
   Eigen::VectorXd residuals(problem.NumResiduals());
   Eigen::Matrix<double, Eigen::Dynamic, Problem::NUM_PARAMETERS> jacobian(problem.NumResiduals(), int(Problem::NUM_PARAMETERS));
   problem(x.data(), residuals.data(), jacobian.data());

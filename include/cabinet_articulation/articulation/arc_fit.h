@@ -21,18 +21,23 @@ struct ArcFit {
   double cost = 0;               ///< negative log-likelihood up to a constant; comparable between fits to one track
 };
 
-/// The best path from the given starts. `previous` scales (0: unknown) save iterations. Circles respect the radius
-/// limits of `config`.
+/// The best path from the given starts. Circles respect the radius limits of `config`.
 ArcFit fitArc(const PoseSamples& samples, PathShape shape, const std::vector<Arc>& starts, const ArticulationConfig& config);
 
 /// Inverse of the Gauss-Newton matrix at the fit, in the order of ArcProblem's parameters (9, or 6 without
 /// orientation), for independent residuals. Rows of parameters that the shape fixes are zero.
 Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config);
 
-/// The log-likelihood of the best path when residuals are an autoregressive sequence of first order with Student's t
-/// innovations: what tells a bowed drawer from a door, where slip and calibration make residuals follow one another.
-/// `fit` gives the scales that place poses along the path.
-double sequenceLogLikelihood(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const std::vector<Arc>& starts,
-                             const ArticulationConfig& config);
+/// A path fitted to residuals that follow one another.
+struct SequenceFit {
+  Arc arc;
+  double log_likelihood = 0;  ///< up to a constant that all paths share
+};
+
+/// The most likely path near `start` when residuals are an autoregressive sequence of first order with Student's t
+/// innovations: what tells a bowed drawer from a door, where slip and calibration make residuals follow one another. It
+/// is good for choosing and bad for parameters (measured). `fit` gives the scales that place poses along the path.
+SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
+                           const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "cabinet_articulation/articulation/arc_fit.h"
 #include "cabinet_articulation/articulation/articulation_model.h"
 
@@ -15,7 +17,7 @@ class ArcModel : public ArticulationModel {
   bool fit(const PoseTrack& track) override;
   Eigen::Isometry3d predict(double q) const override { return arc_.pose(first_ + q / unit()); }
   double configuration(const Eigen::Isometry3d& pose) const override;
-  double sequenceLogLikelihood(const PoseTrack& track) const override;
+  double sequenceLogLikelihood(const PoseTrack& track, double rival) override;
 
  protected:
   /// q per metre of path.
@@ -33,6 +35,8 @@ class ArcModel : public ArticulationModel {
 
   PathShape shape_;
   ArcFit fit_;
+  std::optional<Arc> sequence_start_;  ///< the last sequence fit's path
+  std::size_t searched_at_ = 0;        ///< poses when the sequence fit was started from everywhere last
   bool fitted_ = false;
   bool with_orientation_ = true;
 };

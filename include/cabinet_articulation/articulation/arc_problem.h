@@ -47,7 +47,8 @@ class ArcProblem {
 
   int NumResiduals() const { return kRows * static_cast<int>(samples_.size()); }
 
-  /// `jacobian` (column-major, may be null).
+  /// `jacobian` (column-major) may be null; it is that of the base arc, so asked for at zero increments only: a fit
+  /// moves the base with every step.
   bool operator()(const double* parameters, double* residuals, double* jacobian) const;
 
   /// The base arc with increments applied.
@@ -57,6 +58,10 @@ class ArcProblem {
   Residuals rawResiduals() const;
 
  private:
+  /// kColumns: 1 for residuals alone, 1 + NUM_PARAMETERS with derivatives.
+  template <int kColumns>
+  void evaluate(const Arc& arc, double* residuals, double* jacobian) const;
+
   const PoseSamples& samples_;
   const ResidualNoise& noise_;
   Arc base_;

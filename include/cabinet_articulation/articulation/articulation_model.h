@@ -73,9 +73,10 @@ class ArticulationModel {
 
   virtual std::vector<ModelParam> parameters() const = 0;
 
-  /// Log-likelihood of the track, up to a constant that all models share, when residuals follow one another; the model
-  /// may adapt itself to it for the purpose, but stays as it is. Compares models that move (ours; see model_selection.h).
-  virtual double sequenceLogLikelihood(const PoseTrack& track) const = 0;
+  /// Log-likelihood of the track, up to a constant that all models share, when residuals follow one another. The model
+  /// may adapt itself to that for the purpose, but its parameters stay. Compares models that move (see
+  /// model_selection.h). `rival` is the best of the others so far: where the difference is clear, less effort will do.
+  virtual double sequenceLogLikelihood(const PoseTrack& track, double rival) = 0;
 
   ModelResiduals residuals(const PoseTrack& track) const;
 

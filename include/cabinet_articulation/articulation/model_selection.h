@@ -9,7 +9,7 @@ namespace cabinet_articulation::core {
 
 /// A fitted model with what selection found out about it.
 struct Candidate {
-  const ArticulationModel* model = nullptr;
+  ArticulationModel* model = nullptr;
   ModelResiduals residuals;
   double log_likelihood = 0;  ///< Eq. (10)
   double evidence = 0;        ///< of models that move: sequence log-likelihood less the penalty for complexity
@@ -25,7 +25,7 @@ struct Selection {
 };
 
 /// Residuals and likelihoods of a fitted model.
-Candidate evaluateCandidate(const ArticulationModel& model, const PoseTrack& track, const ArticulationConfig& config);
+Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, const ArticulationConfig& config);
 
 /**
  * The best model, Eq. (11), in two steps, because residuals of real tracks follow one another so strongly that as
