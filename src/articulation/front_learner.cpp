@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/articulation/motion_threshold.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -63,7 +64,7 @@ bool FrontLearner::update(const Track& track) {
     rival = std::max(rival, likelihood);
   }
   if (candidates_.empty()) return false;
-  selection_ = selectModel(&candidates_, spaced, config_);
+  selection_ = selectModel(&candidates_, spaced, motionThreshold(track, poses_, config_), config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;
 }

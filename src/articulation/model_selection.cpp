@@ -47,16 +47,17 @@ double rms(const std::vector<Eigen::Vector3d>& residuals, double limit) {
   return std::sqrt(sum / static_cast<double>(residuals.size()));
 }
 
-/// Whether the front moved by more than detections jitter: along its path, or by turning on the spot.
-bool isMotion(const Candidate& candidate, const PoseTrack& track, const ArticulationConfig& config) {
+/// Whether the front moved by more than detections spread: along its path, or by turning on the spot.
+bool isMotion(const Candidate& candidate, const PoseTrack& track, const MotionThreshold& threshold,
+              const ArticulationConfig& config) {
   const ModelResiduals& residuals = candidate.residuals;
-  const double jitter = config.motion_to_noise * rms(residuals.position, 3 * config.sigma_position);
-  if (residuals.path >= std::max(config.motion_min, jitter)) return true;
+  const double spread = config.motion_to_noise * rms(residuals.position, 3 * config.sigma_position);
+  if (residuals.path >= std::max(threshold.path, spread)) return true;
   if (!track.has_orientation) return false;
   const Eigen::Isometry3d first = candidate.model->predict(residuals.q_min), last = candidate.model->predict(residuals.q_max);
   const double angle = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
-  const double turn_jitter = config.motion_to_noise * rms(residuals.orientation, 3 * config.sigma_orientation);
-  return angle >= std::max(config.motion_min * config.sigma_orientation / config.sigma_position, turn_jitter);
+  const double turn_spread = config.motion_to_noise * rms(residuals.orientation, 3 * config.sigma_orientation);
+  return angle >= std::max(threshold.angle, turn_spread);
 }
 
 }  // namespace
@@ -73,7 +74,8 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   return candidate;
 }
 
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const ArticulationConfig& config) {
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionThreshold& threshold,
+                      const ArticulationConfig& config) {
   Selection selection;
   selection.probabilities.assign(modelRegistry().size(), 0);
   const double n = static_cast<double>(track.size());
@@ -94,7 +96,7 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
     const double difference = independent / n * (moving->log_likelihood - still->log_likelihood) -
                               0.5 * parameters * std::log(std::max(1.0, independent));
     moved = logistic(difference);
-    if (!isMotion(*moving, track, config)) moved = std::min(moved, 0.5);
+    if (!isMotion(*moving, track, threshold, config)) moved = std::min(moved, 0.5);
   }
   if (still) selection.probabilities[static_cast<std::size_t>(still->model->type())] = 1 - moved;
   double sum = 0;

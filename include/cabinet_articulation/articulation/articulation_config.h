@@ -23,6 +23,9 @@ struct ArticulationConfig {
   double sagitta_min = 0.006;
   double motion_min = 0.04;
   double motion_to_noise = 6;
+  double motion_to_jitter = 10;
+  double edge_support_min = 0.5;
+  int observations_min = 5;
   double outlier_share_max = 0.3;
   double covariance_factor = 1.75;
 
@@ -55,6 +58,13 @@ struct ArticulationConfig {
     visit("motion_min", self.motion_min, Range{0, 1}, "m", "shorter paths are not motion yet (ours)");
     visit("motion_to_noise", self.motion_to_noise, Range{0, 100}, "",
           "nor are paths shorter than this many times the spread across them, as slow jitter makes them (ours)");
+    visit(
+        "motion_to_jitter", self.motion_to_jitter, Range{0, 100}, "",
+        "nor shorter than this many times the jitter from one pose to the next (measured: real motions 15 and more, mostly 100)");
+    visit("edge_support_min", self.edge_support_min, Range{0, 1}, "",
+          "a front moves only if the median observation saw this share of its edges (measured: fronts 0.57 and more, clutter "
+          "0.45)");
+    visit("observations_min", self.observations_min, Range{3, 1000}, "", "fewer poses than this do not show motion (ours)");
     visit("outlier_share_max", self.outlier_share_max, Range{0.01, 1}, "",
           "no model explains a track with more poses than this farther than 3 sigma_position from it (measured)");
     visit("covariance_factor", self.covariance_factor, Range{0.1, 100}, "",

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_model.h"
+#include "cabinet_articulation/articulation/motion_threshold.h"
 
 namespace cabinet_articulation::core {
 
@@ -34,8 +35,9 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
  * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). A
  * model whose path bends by less than sagitta_min is not preferred to a simpler one. Between rigid and moving they are
  * not, since such a sequence explains slow motion by itself: there they are independent, the likelihood counts for as
- * many poses as are independent, and the motion must be longer than motion_min.
+ * many poses as are independent, and the motion must exceed `threshold`.
  */
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const ArticulationConfig& config);
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionThreshold& threshold,
+                      const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

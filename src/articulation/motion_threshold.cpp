@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/motion_threshold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace cabinet_articulation::core {
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double medianEdgeSupport(const Track& track) {
+  std::vector<double> supports;
+  for (const TrackedObservation& observation : track.observations)
+    supports.push_back(std::accumulate(observation.edge_support.begin(), observation.edge_support.end(), 0.0) / 4);
+  return median(std::move(supports));
+}
+
+Eigen::Vector3d turn(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const Eigen::AngleAxisd difference(from.linear().transpose() * to.linear());
+  return difference.angle() * difference.axis();
+}
+
+}  // namespace
+
+MotionThreshold motionThreshold(const Track& track, const PoseTrack& poses, const ArticulationConfig& config) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto least = static_cast<std::size_t>(config.observations_min);
+  if (poses.size() < least || medianEdgeSupport(track) < config.edge_support_min) return {kInfinity, kInfinity};
+  // Second differences: steady motion does not enter them. Noise of standard deviation s in each of three directions has
+  // second differences of sqrt(6) s in each, and a median length of 1.54 times that.
+  const double to_sigma = 1 / (std::sqrt(6.0) * 1.54);
+  std::vector<double> shifts, turns;
+  for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
+    const Eigen::Isometry3d &before = poses.poses[i - 1], &here = poses.poses[i], &after = poses.poses[i + 1];
+    shifts.push_back((before.translation() - 2 * here.translation() + after.translation()).norm() * to_sigma);
+    turns.push_back((turn(here, after) - turn(before, here)).norm() * to_sigma);
+  }
+  const double angle_min = config.motion_min * config.sigma_orientation / config.sigma_position;
+  return {std::max(config.motion_min, config.motion_to_jitter * median(std::move(shifts))),
+          std::max(angle_min, config.motion_to_jitter * median(std::move(turns)))};
+}
+
+}  // namespace cabinet_articulation::core
