@@ -59,7 +59,11 @@ PoseTrack poseTrack(const Track& track, ReferencePoint point, const Articulation
   if (!weighted) return cleaned(poses);
   for (const TrackedObservation& observation : track.observations) {
     const Matrix6d covariance = observation.covariance.allFinite() ? observation.covariance : Matrix6d::Zero();
-    poses.position_weights.push_back(weightOf(covariance.topLeftCorner<3, 3>(), config.sigma_position));
+    // Edges err together, by a side face taken along or a hinge side hidden by its neighbour; planes do not.
+    const Eigen::Vector3d normal = observation.rectangle.normal();
+    const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    const Eigen::Matrix3d total = covariance.topLeftCorner<3, 3>() + config.sigma_edge * config.sigma_edge * in_plane;
+    poses.position_weights.push_back(weightOf(total, config.sigma_plane));
     poses.orientation_weights.push_back(weightOf(covariance.bottomRightCorner<3, 3>(), config.sigma_orientation));
   }
   return cleaned(poses);

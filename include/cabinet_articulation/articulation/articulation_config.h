@@ -13,6 +13,8 @@ struct ArticulationConfig {
 
   double sigma_position = 0.01;
   double sigma_orientation = 0.1;
+  double sigma_edge = 0.02;
+  double sigma_plane = 0.003;
   double degrees_of_freedom = 5;
   double sigma_position_floor = 0.001;
   double sigma_orientation_floor = 0.14;
@@ -42,6 +44,10 @@ struct ArticulationConfig {
     visit("sigma_position", self.sigma_position, Range{1e-4, 1}, "m", "position noise of Eq. (9) (original release: 0.01)");
     visit("sigma_orientation", self.sigma_orientation, Range{1e-3, 100}, "rad",
           "orientation noise of Eq. (9) (original release: 0.1 with a camera)");
+    visit("sigma_edge", self.sigma_edge, Range{0, 1}, "m",
+          "error of a front's place within its plane that its edges share over a track (measured: up to 0.02)");
+    visit("sigma_plane", self.sigma_plane, Range{1e-4, 1}, "m",
+          "error of a front's place across its plane, which deviations are weighed against (measured)");
     visit("degrees_of_freedom", self.degrees_of_freedom, Range{1, 1000}, "",
           "tails of the noise when parameters are fitted (Student's t; measured: 5, large is Gaussian)");
     visit("sigma_position_floor", self.sigma_position_floor, Range{1e-6, 0.1}, "m",
