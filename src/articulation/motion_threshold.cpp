@@ -9,17 +9,17 @@
 namespace cabinet_articulation::core {
 namespace {
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double quantile(std::vector<double> values, double share) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 double medianEdgeSupport(const Track& track) {
   std::vector<double> supports;
   for (const TrackedObservation& observation : track.observations)
     supports.push_back(std::accumulate(observation.edge_support.begin(), observation.edge_support.end(), 0.0) / 4);
-  return median(std::move(supports));
+  return quantile(std::move(supports), 0.5);
 }
 
 Eigen::Vector3d turn(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
@@ -34,8 +34,10 @@ MotionThreshold motionThreshold(const Track& track, const PoseTrack& poses, cons
   const auto least = static_cast<std::size_t>(config.observations_min);
   if (poses.size() < least || medianEdgeSupport(track) < config.edge_support_min) return {kInfinity, kInfinity};
   // Second differences: steady motion does not enter them. Noise of standard deviation s in each of three directions has
-  // second differences of sqrt(6) s in each, and a median length of 1.54 times that.
-  const double to_sigma = 1 / (std::sqrt(6.0) * 1.54);
+  // second differences of sqrt(6) s in each, and a third of their lengths are below 1.25 times that. (Not the median: one
+  // outlier spoils three of them.)
+  constexpr double kShare = 1.0 / 3;
+  const double to_sigma = 1 / (std::sqrt(6.0) * 1.25);
   std::vector<double> shifts, turns;
   for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
     const Eigen::Isometry3d &before = poses.poses[i - 1], &here = poses.poses[i], &after = poses.poses[i + 1];
@@ -43,8 +45,8 @@ MotionThreshold motionThreshold(const Track& track, const PoseTrack& poses, cons
     turns.push_back((turn(here, after) - turn(before, here)).norm() * to_sigma);
   }
   const double angle_min = config.motion_min * config.sigma_orientation / config.sigma_position;
-  return {std::max(config.motion_min, config.motion_to_jitter * median(std::move(shifts))),
-          std::max(angle_min, config.motion_to_jitter * median(std::move(turns)))};
+  return {std::max(config.motion_min, config.motion_to_jitter * quantile(std::move(shifts), kShare)),
+          std::max(angle_min, config.motion_to_jitter * quantile(std::move(turns), kShare))};
 }
 
 }  // namespace cabinet_articulation::core

@@ -16,7 +16,7 @@ struct MotionThreshold {
 /**
  * How far a front must move before it may be called moving (ours). Pieces of furniture that are hardly visible jitter by
  * centimetres and tens of degrees while they stand still, in two ways that a real motion does not share: from one frame to
- * the next (a multiple of the median second difference must be exceeded), and with most of their edges unseen (infinite
+ * the next (a multiple of the typical second difference must be exceeded), and with most of their edges unseen (infinite
  * while the median observation has less than edge_support_min of its edges, or there are fewer than observations_min).
  *
  * `poses` are those of `track`'s front, in the order of their stamps.
