@@ -20,7 +20,8 @@ debian_packages=(
   librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure rviz
   ros-message-generation ros-message-runtime ros-std-msgs ros-geometry-msgs ros-sensor-msgs ros-stereo-msgs
-  ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs
+  ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev
+  libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
   # libraries
   libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev libbenchmark-dev
 )
