@@ -25,6 +25,26 @@ PoseTrack fromFirstExplained(const PoseTrack& track, const std::vector<Candidate
   return track;
 }
 
+/// The candidate that explains motion best; null without one.
+const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
+  const Candidate* best = nullptr;
+  for (const Candidate& candidate : candidates)
+    if (candidate.model->moves() && (!best || candidate.evidence > best->evidence)) best = &candidate;
+  return best;
+}
+
+/// A hinge lies in the front's plane or close to it. Planes that touch a bottle or an arm here and there turn about an axis
+/// that lies behind them.
+bool isTouchingSomethingRound(const Candidate& candidate, const Eigen::Isometry3d& T_reference_center) {
+  if (candidate.model->type() != JointType::kRotational) return false;
+  const Eigen::Isometry3d center = candidate.model->predict(0) * T_reference_center;
+  const JointGeometry geometry = candidate.model->geometry();
+  Eigen::Vector3d to_axis = geometry.axis_point - center.translation();
+  to_axis -= geometry.axis * geometry.axis.dot(to_axis);
+  const double across = std::abs(center.linear().col(2).dot(to_axis));
+  return across * across > 0.5 * to_axis.squaredNorm();
+}
+
 }  // namespace
 
 FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config) {
@@ -64,7 +84,11 @@ bool FrontLearner::update(const Track& track) {
     rival = std::max(rival, likelihood);
   }
   if (candidates_.empty()) return false;
-  selection_ = selectModel(&candidates_, spaced, motionThreshold(track, poses_, config_), config_);
+  MotionThreshold threshold = motionThreshold(track, poses_, config_);
+  const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
+  const Candidate* moving = bestMoving(candidates_);
+  if (moving && poses_.has_orientation && isTouchingSomethingRound(*moving, T_reference_center)) threshold = kNeverMotion;
+  selection_ = selectModel(&candidates_, spaced, threshold, config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;
 }

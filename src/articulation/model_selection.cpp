@@ -40,6 +40,12 @@ double bow(const Candidate& candidate) {
   return largest;
 }
 
+/// Angle [rad] by which the front turned along the observed path.
+double turn(const Candidate& candidate) {
+  const Eigen::Matrix3d first = candidate.model->predict(candidate.residuals.q_min).linear();
+  return Eigen::AngleAxisd(first.transpose() * candidate.model->predict(candidate.residuals.q_max).linear()).angle();
+}
+
 /// Root mean square of residuals, each cut at `limit`.
 double rms(const std::vector<Eigen::Vector3d>& residuals, double limit) {
   double sum = 0;
@@ -54,8 +60,7 @@ bool isMotion(const Candidate& candidate, const PoseTrack& track, const MotionTh
   const double spread = config.motion_to_noise * rms(residuals.position, 3 * config.sigma_position);
   if (residuals.path >= std::max(threshold.path, spread)) return true;
   if (!track.has_orientation) return false;
-  const Eigen::Isometry3d first = candidate.model->predict(residuals.q_min), last = candidate.model->predict(residuals.q_max);
-  const double angle = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
+  const double angle = turn(candidate);
   const double turn_spread = config.motion_to_noise * rms(residuals.orientation, 3 * config.sigma_orientation);
   return angle >= std::max(threshold.angle, turn_spread);
 }
@@ -86,7 +91,8 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
       still = &candidate;
       continue;
     }
-    if (moving && bow(candidate) < config.sagitta_min) candidate.evidence = std::min(candidate.evidence, moving->evidence);
+    const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= config.turn_min);
+    if (moving && !bends) candidate.evidence = std::min(candidate.evidence, moving->evidence);
     if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
   }
   double moved = moving ? 1 : 0;

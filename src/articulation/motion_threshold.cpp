@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace cabinet_articulation::core {
@@ -30,9 +29,8 @@ Eigen::Vector3d turn(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to)
 }  // namespace
 
 MotionThreshold motionThreshold(const Track& track, const PoseTrack& poses, const ArticulationConfig& config) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto least = static_cast<std::size_t>(config.observations_min);
-  if (poses.size() < least || medianEdgeSupport(track) < config.edge_support_min) return {kInfinity, kInfinity};
+  if (poses.size() < least || medianEdgeSupport(track) < config.edge_support_min) return kNeverMotion;
   // Second differences: steady motion does not enter them. Noise of standard deviation s in each of three directions has
   // second differences of sqrt(6) s in each, and a third of their lengths are below 1.25 times that. (Not the median: one
   // outlier spoils three of them.)

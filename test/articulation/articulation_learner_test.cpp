@@ -78,6 +78,18 @@ TEST(ArticulationLearner, NothingThatStandsStillMoves) {
   }
 }
 
+TEST(ArticulationLearner, PlanesThatTouchABottleHereAndThereDoNotMove) {
+  Track track = syntheticTrack(still());
+  const Eigen::Vector3d behind = closedPose() * Eigen::Vector3d(0, 0, -0.08);
+  const Eigen::Vector3d upright = closedPose().linear().col(1);
+  for (size_t i = 0; i < track.observations.size(); ++i) {
+    Eigen::Isometry3d& pose = track.observations[i].rectangle.pose;
+    const double angle = 0.6 * std::sin(0.1 * static_cast<double>(i));
+    pose = Eigen::Translation3d(behind) * Eigen::AngleAxisd(angle, upright) * Eigen::Translation3d(-behind) * pose;
+  }
+  EXPECT_FALSE(learn(track).moved);
+}
+
 TEST(ArticulationLearner, ProbabilitiesSumToOne) {
   for (const SyntheticFront& front : {door(), drawer(), still()}) {
     const LearnedModel model = learn(syntheticTrack(front));

@@ -23,6 +23,7 @@ struct ArticulationConfig {
 
   double sequence_degrees_of_freedom = 3;
   double sagitta_min = 0.006;
+  double turn_min = 0.1;
   double motion_min = 0.04;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
@@ -61,6 +62,8 @@ struct ArticulationConfig {
           "tails of the innovations when prismatic and rotational are compared (measured: 2 to 5)");
     visit("sagitta_min", self.sagitta_min, Range{0, 0.1}, "m",
           "an arc that bends less than this is never preferred to a line (measured: slip of a gripper looks like 6 mm)");
+    visit("turn_min", self.turn_min, Range{0, 3}, "rad",
+          "unless the front was seen to turn by this much along it (ours: a door's face tells before its path bends)");
     visit("motion_min", self.motion_min, Range{0, 1}, "m", "shorter paths are not motion yet (ours)");
     visit("motion_to_noise", self.motion_to_noise, Range{0, 100}, "",
           "nor are paths shorter than this many times the spread across them, as slow jitter makes them (ours)");

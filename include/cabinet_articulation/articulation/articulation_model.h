@@ -9,12 +9,10 @@
 
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/articulation/pose_track.h"
+#include "cabinet_articulation/geometry/joint_type.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 
 namespace cabinet_articulation::core {
-
-/// Values as in ArticulationModel.msg.
-enum class JointType : std::uint8_t { kRigid = 0, kPrismatic = 1, kRotational = 2 };
 
 /// A named number of a model, for ArticulationModel.params; names as in the original release.
 struct ModelParam {

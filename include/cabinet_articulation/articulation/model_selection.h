@@ -33,9 +33,9 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
  * independent ones they make every millimetre of bow a door (ours; measured on 105 real logs).
  *
  * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). A
- * model whose path bends by less than sagitta_min is not preferred to a simpler one. Between rigid and moving they are
- * not, since such a sequence explains slow motion by itself: there they are independent, the likelihood counts for as
- * many poses as are independent, and the motion must exceed `threshold`.
+ * model whose path bends by less than sagitta_min, and on which the front hardly turns, is not preferred to a simpler one.
+ * Between rigid and moving they are not, since such a sequence explains slow motion by itself: there they are independent, the
+ * likelihood counts for as many poses as are independent, and the motion must exceed `threshold`.
  */
 Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionThreshold& threshold,
                       const ArticulationConfig& config);

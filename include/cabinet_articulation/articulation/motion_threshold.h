@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/articulation/pose_track.h"
 #include "cabinet_articulation/tracking/track.h"
@@ -12,6 +14,8 @@ struct MotionThreshold {
   double path = 0;   ///< [m]
   double angle = 0;  ///< [rad] turning on the spot
 };
+
+constexpr MotionThreshold kNeverMotion{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
 /**
  * How far a front must move before it may be called moving (ours). Pieces of furniture that are hardly visible jitter by

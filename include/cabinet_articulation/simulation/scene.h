@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cabinet_articulation/articulation/articulation_model.h"
+#include "cabinet_articulation/geometry/joint_type.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace cabinet_articulation::core {
+
+/// Values as in ArticulationModel.msg.
+enum class JointType : std::uint8_t { kRigid = 0, kPrismatic = 1, kRotational = 2 };
+
+}  // namespace cabinet_articulation::core
