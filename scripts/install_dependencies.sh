@@ -19,6 +19,9 @@ debian_packages=(
   libstereo-image-proc-dev ros-stereo-image-proc
   librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure rviz
+  # for rostopic echo
+  python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs
+  python3-visualization-msgs python3-tf2-msgs
   ros-message-generation ros-message-runtime ros-std-msgs ros-geometry-msgs ros-sensor-msgs ros-stereo-msgs
   ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev
   libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
