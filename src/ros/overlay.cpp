@@ -59,14 +59,17 @@ class Canvas {
   cv::Mat3b image_;  ///< shares the pixels
 };
 
-void drawJoint(const core::LearnedModel& model, Canvas* canvas) {
+void drawRange(const core::LearnedModel& model, Canvas* canvas) {
   for (const core::Rectangle& front : sweepOf(model)) canvas->outline(front, scalar(colorOf(model), 0.5), 1);
+}
+
+/// The axis, and the way of the front's centre from q = 0 to now.
+void drawMotion(const core::LearnedModel& model, Canvas* canvas) {
   const auto axis = axisOf(model);
   canvas->line(axis.first, axis.second, scalar({1.0F, 0.25F, 0.25F}), 2);
-  // The opening: where the front's centre went from q = 0 to now.
   for (int i = 0; i < kOpeningSteps; ++i)
-    canvas->line(model.predict(model.q * i / kOpeningSteps).translation(),
-                 model.predict(model.q * (i + 1) / kOpeningSteps).translation(), scalar({1.0F, 1.0F, 1.0F}), 2);
+    canvas->line(model.predict(model.q * i / kOpeningSteps).translation(), model.predict(model.q * (i + 1) / kOpeningSteps).translation(),
+                 scalar({1.0F, 1.0F, 1.0F}), 2);
 }
 
 }  // namespace
@@ -76,10 +79,11 @@ void drawOverlay(const core::StereoCamera& camera, const std::vector<core::Detec
   Canvas canvas(camera, image);
   for (const core::DetectedRectangle& detected : rectangles) canvas.outline(detected.rectangle, scalar({1.0F, 0.9F, 0.3F}), 1);
   for (const core::LearnedModel& model : models)
-    if (isJoint(model)) drawJoint(model, &canvas);
+    if (isJoint(model)) drawRange(model, &canvas);
   for (const core::LearnedModel& model : models) {
     const core::Rectangle front = frontAt(model, model.q);
     canvas.outline(front, scalar(colorOf(model)), isJoint(model) ? 2 : 1);
+    if (isJoint(model)) drawMotion(model, &canvas);
     const std::string label = isJoint(model) ? labelOf(model) : std::to_string(model.id);
     canvas.text(label, front.center(), scalar(colorOf(model)));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/geometry/rectangle.h"
+#include "support/models.h"
 #include "support/ros_messages.h"
 
 namespace cabinet_articulation {
@@ -12,13 +13,8 @@ namespace test {
 /// A rectangular front that faces the camera, hanging free in front of a wall. Noise-free.
 struct FrontScene {
   core::StereoCamera camera = smallCamera();
-  core::Rectangle front{core::Rectangle{facingCamera(0.05, -0.02, 1.2), 0.4, 0.3}};
+  core::Rectangle front{facingCamera(0.05, -0.02, 1.2), 0.4, 0.3};
   double wall = 1.8;  ///< [m] distance of the wall
-
-  /// A pose at (x, y, z) whose z axis looks back at the camera.
-  static Eigen::Isometry3d facingCamera(double x, double y, double z) {
-    return Eigen::Translation3d(x, y, z) * Eigen::Isometry3d(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));
-  }
 
   double depth(int u, int v) const {
     const Eigen::Vector3d p = front.center().z() * camera.ray(u, v) - front.center();

@@ -39,7 +39,8 @@ class Recorder {
       : subscriber_(ros::NodeHandle().subscribe<Message>(
             topic, queue, [this](const boost::shared_ptr<const Message>& message) { messages.push_back(message); })) {}
 
-  bool connected() const { return subscriber_.getNumPublishers() > 0; }
+  std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }
+  bool connected() const { return publishers() > 0; }
 
   std::vector<boost::shared_ptr<const Message>> messages;
 
@@ -60,6 +61,9 @@ class Reports {
   }
 
   bool statusHas(const std::string& name, const std::string& text) const { return status(name).find(text) != std::string::npos; }
+
+  /// True once the logs of `nodes` nodes come in, the test's own included.
+  bool hears(std::uint32_t nodes) const { return log_.publishers() >= nodes; }
 
   bool logged(std::uint8_t level, const std::string& text) const {
     for (const auto& entry : log_.messages)

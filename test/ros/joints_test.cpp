@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/joints.h"
+
+#include <gtest/gtest.h>
+#include <tf2_eigen/tf2_eigen.h>
+
+#include "support/models.h"
+
+namespace cabinet_articulation {
+namespace {
+
+std_msgs::Header headerAt(double stamp) {
+  std_msgs::Header header;
+  header.frame_id = "map";
+  header.stamp = ros::Time(stamp);
+  return header;
+}
+
+TEST(Joints, PrefixIsTheNamespaceInOneWord) {
+  EXPECT_EQ(jointPrefix("/cabinet"), "cabinet");
+  EXPECT_EQ(jointPrefix("/robot/cabinet"), "robot_cabinet");
+  EXPECT_EQ(jointPrefix("/"), "");
+  EXPECT_EQ(jointPrefix(""), "");
+}
+
+TEST(Joints, BaseOfADoorStandsOnItsHingeAndLooksAtTheFront) {
+  const core::LearnedModel door = test::doorModel();
+  const Eigen::Isometry3d base = jointBase(door);
+  EXPECT_TRUE(base.translation().isApprox(door.axis_point, 1e-12));
+  EXPECT_TRUE(base.linear().col(2).isApprox(door.axis, 1e-12));
+  EXPECT_NEAR((base.inverse() * door.origin.translation()).x(), door.radius, 1e-9);
+  EXPECT_NEAR(base.linear().determinant(), 1, 1e-12);
+}
+
+TEST(Joints, BaseOfADrawerIsTheClosedFront) {
+  const core::LearnedModel drawer = test::drawerModel();
+  const Eigen::Isometry3d base = jointBase(drawer);
+  EXPECT_TRUE(base.translation().isApprox(drawer.origin.translation(), 1e-12));
+  EXPECT_TRUE(base.linear().col(2).isApprox(drawer.axis, 1e-12));
+}
+
+TEST(Joints, BaseIsARotationEvenIfTheAxisGoesThroughTheCentre) {
+  core::LearnedModel model = test::doorModel();
+  model.axis_point = model.origin.translation();
+  EXPECT_TRUE((jointBase(model).linear() * jointBase(model).linear().transpose()).isIdentity(1e-12));
+}
+
+TEST(Joints, TransformsChainToTheFrontAsItIsNow) {
+  const core::LearnedModel door = test::doorModel();
+  const auto transforms = jointTransforms({door, test::restingModel(), test::unexplainedModel()}, headerAt(5), "cabinet");
+  ASSERT_EQ(transforms.size(), 2u) << "only what is known to move has frames";
+  EXPECT_EQ(transforms[0].header.frame_id, "map");
+  EXPECT_EQ(transforms[0].child_frame_id, "cabinet_3_base");
+  EXPECT_EQ(transforms[1].header.frame_id, "cabinet_3_base");
+  EXPECT_EQ(transforms[1].child_frame_id, "cabinet_3_front");
+  EXPECT_EQ(transforms[1].header.stamp, ros::Time(5));
+  const Eigen::Isometry3d front = tf2::transformToEigen(transforms[0]) * tf2::transformToEigen(transforms[1]);
+  EXPECT_TRUE(front.isApprox(door.predict(door.q), 1e-9));
+}
+
+TEST(Joints, StatesAreThoseObservedInTheFrame) {
+  core::LearnedModel door = test::doorModel(), drawer = test::drawerModel();
+  door.stamp = 5;
+  drawer.stamp = 4;  // hidden in this frame
+  const sensor_msgs::JointState state = jointStates({door, drawer, test::restingModel()}, headerAt(5), "cabinet");
+  EXPECT_EQ(state.name, (std::vector<std::string>{"cabinet_3_joint"}));
+  EXPECT_EQ(state.position, (std::vector<double>{door.q}));
+  EXPECT_EQ(state.header.stamp, ros::Time(5));
+}
+
+}  // namespace
+}  // namespace cabinet_articulation

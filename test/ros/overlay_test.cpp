@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "cabinet_articulation/ros/model_drawing.h"
+#include "support/models.h"
+
+namespace cabinet_articulation {
+namespace {
+
+const core::StereoCamera kCamera{320, 240, 300, 300, 160, 120, 0.08, 0};
+
+cv::Mat3b draw(const std::vector<core::DetectedRectangle>& rectangles, const std::vector<core::LearnedModel>& models) {
+  cv::Mat3b image(kCamera.height, kCamera.width, cv::Vec3b(0, 0, 0));
+  drawOverlay(kCamera, rectangles, models, &image);
+  return image;
+}
+
+/// True if something was drawn within a pixel of the image of p.
+bool drawnAt(const cv::Mat3b& image, const Eigen::Vector3d& p) {
+  const Eigen::Vector2d uv = kCamera.project(p);
+  const cv::Rect around(static_cast<int>(uv.x()) - 1, static_cast<int>(uv.y()) - 1, 3, 3);
+  return cv::sum(cv::sum(image(around & cv::Rect(0, 0, image.cols, image.rows))))[0] > 0;
+}
+
+TEST(Overlay, DrawsTheOutlineOfARectangleWhereTheCameraSeesIt) {
+  core::DetectedRectangle detected;
+  detected.rectangle = {test::facingCamera(0.05, -0.03, 1.2), 0.4, 0.2};
+  const cv::Mat3b image = draw({detected}, {});
+  const auto corners = detected.rectangle.corners();
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_TRUE(drawnAt(image, corners[i])) << i;
+    EXPECT_TRUE(drawnAt(image, (corners[i] + corners[(i + 1) % 4]) / 2)) << i;
+  }
+  EXPECT_FALSE(drawnAt(image, detected.rectangle.center()));
+}
+
+TEST(Overlay, DrawsADoorsFrontAxisAndRange) {
+  const core::LearnedModel door = test::doorModel();
+  const cv::Mat3b image = draw({}, {door});
+  for (const Eigen::Vector3d& corner : frontAt(door, door.q).corners()) EXPECT_TRUE(drawnAt(image, corner));
+  for (const Eigen::Vector3d& corner : frontAt(door, door.q_max).corners()) EXPECT_TRUE(drawnAt(image, corner));
+  const cv::Vec3b hinge = image(cv::Point(static_cast<int>(kCamera.project(door.axis_point).x()), 90));
+  EXPECT_GT(hinge[2], hinge[1]) << "the axis is red";
+  EXPECT_TRUE(drawnAt(image, door.predict(0.25).translation())) << "the way of the front's centre";
+}
+
+TEST(Overlay, ColourTellsTheType) {
+  EXPECT_NE(colorOf(test::doorModel()), colorOf(test::drawerModel()));
+  EXPECT_NE(colorOf(test::restingModel()), colorOf(test::doorModel()));
+  EXPECT_NE(colorOf(test::unexplainedModel()), colorOf(test::restingModel()));
+}
+
+TEST(Overlay, LabelTellsWhatIsKnown) {
+  EXPECT_EQ(labelOf(test::drawerModel()), "4 prismatic 99 %, 20 cm (0 to 30)");
+  EXPECT_EQ(labelOf(test::restingModel()), "1 no motion yet");
+  EXPECT_EQ(labelOf(test::unexplainedModel()), "5 moved, no joint fits");
+}
+
+TEST(Overlay, CutsOffWhatIsBehindTheCameraOrNotFinite) {
+  core::LearnedModel through = test::doorModel();
+  through.origin.translation().z() = through.axis_point.z() = 0.05;  // swings through the camera
+  core::LearnedModel broken = test::doorModel();
+  broken.axis_point.x() = std::numeric_limits<double>::quiet_NaN();
+  core::DetectedRectangle behind;
+  behind.rectangle = {test::facingCamera(0, 0, -1), 0.4, 0.2};
+  EXPECT_EQ(cv::countNonZero(draw({behind}, {}).reshape(1)), 0);
+  EXPECT_EQ(draw({}, {through, broken}).size(), cv::Size(320, 240));
+}
+
+TEST(ModelDrawing, TransformedModelPredictsTheSameFrontsInTheOtherFrame) {
+  const Eigen::Isometry3d T =
+      Eigen::Translation3d(1, 2, 3) * Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 1, 0).normalized()));
+  for (const core::LearnedModel& model : {test::doorModel(), test::drawerModel()})
+    EXPECT_TRUE(transformed(model, T).predict(0.3).isApprox(T * model.predict(0.3), 1e-9)) << model.id;
+  core::LearnedModel door = test::doorModel();
+  door.covariance.diagonal() << 1, 2, 3, 4, 5, 6;
+  const core::Matrix6d turned =
+      transformed(door, Eigen::Isometry3d(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()))).covariance;
+  EXPECT_NEAR(turned(0, 0), 2, 1e-12);
+  EXPECT_NEAR(turned(4, 4), 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
