@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing and builds the package: build.sh [FOLDER [tests]]. FOLDER is build/ unless given.
+# Installs what is missing and builds the package in build/, for use from devel/: build.sh [MAKE TARGETS].
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
-build=${1:-$root/build}
+build=$root/build
 
 # ROS's own scripts need the system's python3; another one first on PATH breaks them.
 export PATH=/usr/bin:$PATH
@@ -13,6 +13,9 @@ if [ -f /opt/ros/noetic/setup.sh ]; then
   . /opt/ros/noetic/setup.sh
   set -u
 fi
-mkdir -p "$build"
-cmake -S "$root" -B "$build" -DPYTHON_EXECUTABLE=/usr/bin/python3 >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log"; exit 1; }
-make -C "$build" -j"$(nproc)" --no-print-directory all ${2:-}
+# rosrun never looks into a package's build/, so the programs go to devel/ beside it.
+mkdir -p "$build" "$root/devel"
+[ -e "$build/devel" ] || ln -s ../devel "$build/devel"
+cmake -S "$root" -B "$build" -DCATKIN_DEVEL_PREFIX="$root/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+  >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log"; exit 1; }
+make -C "$build" -j"$(nproc)" --no-print-directory all "$@"

@@ -28,9 +28,9 @@ for argument in "$@"; do
 done
 
 export PATH=/usr/bin:$PATH
-"$here/build.sh" "$build"
+"$here/build.sh"
 set +eu
-. "$build/devel/setup.sh"
+. "$here/../devel/setup.sh"
 set -eu
 
 # A master of its own, so that the demo neither needs nor disturbs one that is running.

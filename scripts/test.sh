@@ -6,14 +6,14 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(dirname "$here")/build
 
 export PATH=/usr/bin:$PATH
-if ! "$here/build.sh" "$build" tests; then
+if ! "$here/build.sh" tests; then
   echo "the build failed"
   echo "0 passed, 1 failed"
   exit 1
 fi
 rm -rf "$build/test_results"
 set +eu
-. "$build/devel/setup.sh"
+. "$here/../devel/setup.sh"
 # One after the other: the rostests measure rates, and the machine may have two cores.
 make -C "$build" --no-print-directory run_tests
 run_status=$?
