@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ros_probe.h"
-#include "tools/truth_comparison.h"
+#include "truth_comparison.h"
 
 namespace cabinet_articulation {
 namespace {
