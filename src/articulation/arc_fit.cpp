@@ -8,100 +8,31 @@
 #include <limits>
 
 #include "cabinet_articulation/articulation/arc_problem.h"
+#include "noise_estimate.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-/// What scales are believed to be before any residual is seen, with the weight of 4 residuals (measured).
-constexpr double kPriorPosition = 0.002;
-constexpr double kPriorOrientation = 0.019;
+/// [nats] Fits stop when a step gains less: far less than decides anything.
+constexpr double kTolerance = 0.02;
 
-/// Smallest innovation [m], [rad] a sequence fit may believe in: rounding of logs.
-constexpr double kInnovationFloor = 5e-5;
+/// [nats] Differences above which the better model is clear.
+constexpr double kClear = 40;
 
-/// Fits stop when a step gains less: far less than decides anything.
-constexpr double kLikelihoodTolerance = 0.02;
 constexpr int kRounds = 25;
 constexpr double kTrustRegion = 1e4;
-
-double squared(double x) { return x * x; }
-
-/// Scale of Student's t residuals (columns, `dimensions` of them independent) by fixed-point iteration.
-template <class Rows>
-double studentScale(const Rows& residuals, int dimensions, double nu, double prior, double floor, double scale) {
-  const double n = static_cast<double>(residuals.cols());
-  for (int iteration = 0; iteration < 5; ++iteration) {
-    double sum = 4 * prior * prior;
-    for (Eigen::Index i = 0; i < residuals.cols(); ++i) {
-      const double square = residuals.col(i).squaredNorm();
-      sum += (nu + dimensions) / (nu + square / (scale * scale)) * square;
-    }
-    const double next = std::max(floor, std::sqrt(sum / (dimensions * n + 6)));
-    const bool done = std::abs(next - scale) < 0.01 * scale;
-    scale = next;
-    if (done) break;
-  }
-  return scale;
-}
-
-template <class Rows>
-double studentCost(const Rows& residuals, int dimensions, double nu, double scale) {
-  double sum = 0;
-  for (Eigen::Index i = 0; i < residuals.cols(); ++i) sum += std::log1p(residuals.col(i).squaredNorm() / (nu * scale * scale));
-  return 0.5 * (nu + dimensions) * sum + dimensions * static_cast<double>(residuals.cols()) * std::log(scale);
-}
-
-/// An autoregressive sequence of first order: innovations and their scale and correlation.
-struct SequenceNoise {
-  double correlation = 0;
-  double scale = 0.001;
-};
-
-template <class Rows>
-double innovationSquare(const Rows& residuals, Eigen::Index i, double correlation) {
-  return (residuals.col(i) - correlation * residuals.col(i - 1)).squaredNorm();
-}
-
-template <class Rows>
-SequenceNoise estimateSequence(const Rows& residuals, int dimensions, double nu, SequenceNoise noise) {
-  for (int iteration = 0; iteration < 5; ++iteration) {
-    double product = 0, square = 0, innovations = squared(kInnovationFloor);
-    for (Eigen::Index i = 1; i < residuals.cols(); ++i) {
-      const double innovation = innovationSquare(residuals, i, noise.correlation);
-      const double weight = (nu + dimensions) / (nu + innovation / squared(noise.scale));
-      product += weight * residuals.col(i).dot(residuals.col(i - 1));
-      square += weight * residuals.col(i - 1).squaredNorm();
-      innovations += weight * innovation;
-    }
-    noise.correlation = std::clamp(product / (square + 4 * dimensions * squared(noise.scale)), 0.0, 0.99);
-    noise.scale = std::max(kInnovationFloor, std::sqrt(innovations / (dimensions * static_cast<double>(residuals.cols()))));
-  }
-  return noise;
-}
-
-template <class Rows>
-double sequenceLikelihood(const Rows& residuals, int dimensions, double nu, const SequenceNoise& noise, double first_sigma) {
-  const double n = static_cast<double>(residuals.cols());
-  double sum = -0.5 * residuals.col(0).squaredNorm() / squared(first_sigma) - dimensions * std::log(first_sigma);
-  for (Eigen::Index i = 1; i < residuals.cols(); ++i)
-    sum -= 0.5 * (nu + dimensions) * std::log1p(innovationSquare(residuals, i, noise.correlation) / (nu * squared(noise.scale)));
-  return sum - dimensions * (n - 1) * std::log(noise.scale);
-}
-
-ResidualNoise independentNoise(const ArticulationConfig& config) {
-  ResidualNoise noise;
-  noise.degrees_of_freedom = config.degrees_of_freedom;
-  noise.position = config.sigma_position;
-  noise.orientation = std::max(config.sigma_orientation, config.sigma_orientation_floor);
-  return noise;
-}
 
 /// Everything that depends on whether there are orientations.
 template <bool kWithOrientation>
 class Fitter {
  public:
   using Problem = ArcProblem<kWithOrientation>;
-  static constexpr int kPositionRows = Problem::kPositionRows;
+  using Parameters = Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1>;
+
+  struct Result {
+    Arc arc;
+    double cost;
+  };
 
   Fitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
     // One step at a time: scales and correlations change with every step, and so does the base of the increments.
@@ -110,30 +41,42 @@ class Fitter {
     solver_.options.gradient_tolerance = 1e-9;
   }
 
-  ArcFit independent(const Arc& start, PathShape shape) {
-    ResidualNoise noise = independentNoise(config_);
-    const Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
-    const auto alternate = [this, &noise](Arc arc, Curvature curvature) { return refineIndependent(arc, curvature, &noise); };
-    ArcFit fit = alternate(start, curvature);
-    if (shape == PathShape::kCircle && limitCurvature(&fit.arc)) fit = alternate(fit.arc, Curvature::kFixed);
-    return fit;
-  }
-
-  SequenceFit sequence(const Arc& start, PathShape shape, const ResidualNoise& noise) {
-    const Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
-    SequenceFit fit{start, 0};
-    fit.log_likelihood = refineSequence(&fit.arc, curvature, noise);
-    if (shape == PathShape::kCircle && limitCurvature(&fit.arc))
-      fit.log_likelihood = refineSequence(&fit.arc, Curvature::kFixed, noise);
-    return fit;
+  /// Alternates between the noise and the path. Where the curvature is free but leaves its limits twice, or in the end,
+  /// it is held at the limit: no crawling along it. `rival` is a cost from which the result need only differ clearly.
+  template <class Noise>
+  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival) {
+    const double unknown = std::numeric_limits<double>::infinity();
+    Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
+    Arc arc = start;
+    Result best{start, unknown};
+    int outside = 0;
+    for (int round = 0; round < kRounds; ++round) {
+      const double cost = noise->template estimate<Problem>(Problem(samples_, noise->noise(), arc, curvature).rawResiduals());
+      const double gain = best.cost - cost;
+      if (gain > 0) best = {arc, cost};
+      const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
+      outside += leaves;
+      const bool settled = gain < kTolerance || (!leaves && rival && isClear(best.cost, gain, *rival));
+      if (!settled && outside < 2) {
+        if (step(&arc, curvature, noise->noise())) continue;
+      }
+      if (!leaves) break;
+      arc = limited(best.arc);
+      curvature = Curvature::kFixed;
+      best.cost = unknown;
+      outside = 0;
+    }
+    return {curvature == Curvature::kFree && shape == PathShape::kCircle ? limited(best.arc) : best.arc, best.cost};
   }
 
   /// J^T J at the fit.
   Eigen::MatrixXd information(const ArcFit& fit, Curvature curvature) {
-    ResidualNoise noise = independentNoise(config_);
-    useScales(fit.position_scale, fit.orientation_scale, &noise);
+    ResidualNoise noise;
+    noise.degrees_of_freedom = config_.degrees_of_freedom;
+    noise.position = noise.placing_position = fit.position_scale;
+    noise.orientation = noise.placing_orientation = fit.orientation_scale;
     const Problem problem(samples_, noise, fit.arc, curvature);
-    const Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1> zero = Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1>::Zero();
+    const Parameters zero = Parameters::Zero();
     Eigen::VectorXd residuals(problem.NumResiduals());
     Eigen::Matrix<double, Eigen::Dynamic, Problem::NUM_PARAMETERS> jacobian(problem.NumResiduals(), int(Problem::NUM_PARAMETERS));
     problem(zero.data(), residuals.data(), jacobian.data());
@@ -141,17 +84,21 @@ class Fitter {
   }
 
  private:
-  static void useScales(double position, double orientation, ResidualNoise* noise) {
-    noise->position = noise->placing_position = position;
-    noise->orientation = noise->placing_orientation = orientation;
+  double limitedCurvature(const Arc& arc) const {
+    return std::copysign(std::clamp(std::abs(arc.curvature), 1 / config_.radius_max, 1 / config_.radius_min), arc.curvature);
+  }
+  bool isOutside(const Arc& arc) const { return arc.curvature != limitedCurvature(arc); }
+
+  /// Slides the centre along the radial direction of the arc's middle until the radius is allowed.
+  Arc limited(Arc arc) const {
+    arc.curvature = limitedCurvature(arc);
+    return arc;
   }
 
-  /// Slides the centre along the mean radial direction until the radius is allowed. False: it was.
-  bool limitCurvature(Arc* arc) const {
-    const double magnitude = std::clamp(std::abs(arc->curvature), 1 / config_.radius_max, 1 / config_.radius_min);
-    if (magnitude == std::abs(arc->curvature)) return false;
-    arc->curvature = std::copysign(magnitude, arc->curvature);
-    return true;
+  static bool isClear(double cost, double gain, double rival) {
+    const bool won = cost < rival - kClear;
+    const bool lost = cost - rival > kClear && 10 * gain < cost - rival;
+    return won || lost;
   }
 
   /// A damped Gauss-Newton step. False: none that improves was found.
@@ -159,7 +106,7 @@ class Fitter {
     const Problem problem(samples_, noise, *arc, curvature);
     for (double radius = kTrustRegion; radius > kTrustRegion * 1e-9; radius *= 1e-2) {
       solver_.options.initial_trust_region_radius = radius;
-      typename ceres::TinySolver<Problem>::Parameters x = ceres::TinySolver<Problem>::Parameters::Zero();
+      Parameters x = Parameters::Zero();
       solver_.Solve(problem, &x);
       if (x.isZero(0)) continue;
       *arc = problem.arc(x.data());
@@ -168,87 +115,25 @@ class Fitter {
     return false;
   }
 
-  ArcFit refineIndependent(Arc arc, Curvature curvature, ResidualNoise* noise) {
-    ArcFit fit;
-    fit.cost = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRounds; ++round) {
-      const auto residuals = Problem(samples_, *noise, arc, curvature).rawResiduals();
-      const double nu = config_.degrees_of_freedom;
-      const auto positions = residuals.template topRows<kPositionRows>();
-      const double position_scale = studentScale(positions, 2, nu, kPriorPosition, config_.sigma_position_floor, noise->position);
-      double orientation_scale = noise->orientation;
-      double cost = studentCost(positions, 2, nu, position_scale);
-      if constexpr (kWithOrientation) {
-        const auto orientations = residuals.template bottomRows<Problem::kRows - kPositionRows>();
-        orientation_scale =
-            studentScale(orientations, 3, nu, kPriorOrientation, config_.sigma_orientation_floor, noise->orientation);
-        cost += studentCost(orientations, 3, nu, orientation_scale);
-      }
-      const double gain = fit.cost - cost;
-      if (gain > 0) fit = {arc, position_scale, orientation_scale, cost};
-      if (gain < kLikelihoodTolerance) break;
-      useScales(position_scale, orientation_scale, noise);
-      if (!step(&arc, curvature, *noise)) break;
-    }
-    return fit;
-  }
-
-  double refineSequence(Arc* arc, Curvature curvature, ResidualNoise noise) {
-    double best = -std::numeric_limits<double>::infinity();
-    Arc next = *arc;
-    SequenceNoise position{0.5, 0.001}, orientation{0.5, 0.01};
-    noise.sequence = true;
-    noise.degrees_of_freedom = config_.sequence_degrees_of_freedom;
-    const double nu = noise.degrees_of_freedom;
-    for (int round = 0; round < kRounds; ++round) {
-      const auto residuals = Problem(samples_, noise, next, curvature).rawResiduals();
-      const auto positions = residuals.template topRows<kPositionRows>();
-      position = estimateSequence(positions, 2, nu, position);
-      double likelihood = sequenceLikelihood(positions, 2, nu, position, noise.first_position);
-      if constexpr (kWithOrientation) {
-        const auto orientations = residuals.template bottomRows<Problem::kRows - kPositionRows>();
-        orientation = estimateSequence(orientations, 3, nu, orientation);
-        likelihood += sequenceLikelihood(orientations, 3, nu, orientation, noise.first_orientation);
-      }
-      const double gain = likelihood - best;
-      if (gain > 0) {
-        best = likelihood;
-        *arc = next;
-      }
-      if (gain < kLikelihoodTolerance) break;
-      noise.position = position.scale;
-      noise.position_correlation = position.correlation;
-      noise.orientation = orientation.scale;
-      noise.orientation_correlation = orientation.correlation;
-      if (!step(&next, curvature, noise)) break;
-    }
-    return best;
-  }
-
   const PoseSamples& samples_;
   const ArticulationConfig& config_;
   ceres::TinySolver<Problem> solver_;
 };
 
 template <bool kWithOrientation>
-ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const std::vector<Arc>& starts, const ArticulationConfig& config) {
-  Fitter<kWithOrientation> fitter(samples, config);
-  ArcFit best;
-  best.cost = std::numeric_limits<double>::infinity();
-  for (const Arc& start : starts) {
-    const ArcFit fit = fitter.independent(start, shape);
-    if (fit.cost < best.cost) best = fit;
-  }
-  return best;
+ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config) {
+  IndependentNoise noise(config);
+  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt);
+  return {result.arc, noise.noise().position, noise.noise().orientation};
 }
 
 template <bool kWithOrientation>
 SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
-                         const ArticulationConfig& config) {
-  ResidualNoise noise;
-  noise.placing_position = fit.position_scale;
-  noise.placing_orientation = fit.orientation_scale;
-  return Fitter<kWithOrientation>(samples, config).sequence(start, shape, noise);
+                         std::optional<double> rival, const ArticulationConfig& config) {
+  SequenceNoise noise(config, fit.position_scale, fit.orientation_scale);
+  if (rival) rival = -*rival;
+  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, rival);
+  return {result.arc, -result.cost};
 }
 
 template <bool kWithOrientation>
@@ -261,8 +146,8 @@ Eigen::MatrixXd covarianceOf(const PoseSamples& samples, PathShape shape, const 
 
 }  // namespace
 
-ArcFit fitArc(const PoseSamples& samples, PathShape shape, const std::vector<Arc>& starts, const ArticulationConfig& config) {
-  return samples.has_orientation ? fitFrom<true>(samples, shape, starts, config) : fitFrom<false>(samples, shape, starts, config);
+ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config) {
+  return samples.has_orientation ? fitFrom<true>(samples, shape, start, config) : fitFrom<false>(samples, shape, start, config);
 }
 
 Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config) {
@@ -271,9 +156,9 @@ Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const
 }
 
 SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
-                           const ArticulationConfig& config) {
-  return samples.has_orientation ? sequenceFrom<true>(samples, shape, fit, start, config)
-                                 : sequenceFrom<false>(samples, shape, fit, start, config);
+                           std::optional<double> rival, const ArticulationConfig& config) {
+  return samples.has_orientation ? sequenceFrom<true>(samples, shape, fit, start, rival, config)
+                                 : sequenceFrom<false>(samples, shape, fit, start, rival, config);
 }
 
 }  // namespace cabinet_articulation::core

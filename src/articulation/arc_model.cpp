@@ -18,16 +18,9 @@ constexpr double kClear = 40;
 bool ArcModel::fit(const PoseTrack& track) {
   if (track.size() < (shape_ == PathShape::kLine ? 2u : 3u)) return false;
   const PoseSamples samples(track);
-  std::vector<Arc> starts;
-  if (fitted_ && with_orientation_ == track.has_orientation) {
-    starts.push_back(arc_);
-  } else {
-    starts.push_back(consensusArc(samples, shape_, config_));
-    if (shape_ == PathShape::kCircle)
-      for (const Arc& arc : typicalCircles(samples, starts.front())) starts.push_back(arc);
-  }
+  const bool known = fitted_ && with_orientation_ == track.has_orientation;
   with_orientation_ = track.has_orientation;
-  fit_ = fitArc(samples, shape_, starts, config_);
+  fit_ = fitArc(samples, shape_, known ? arc_ : consensusArc(samples, shape_, config_), config_);
   arc_ = fit_.arc;
   orient(samples);
   fitted_ = true;
@@ -84,15 +77,15 @@ double ArcModel::arcLength(const Eigen::Isometry3d& pose) const {
 
 double ArcModel::configuration(const Eigen::Isometry3d& pose) const { return (arcLength(pose) - first_) * unit(); }
 
-double ArcModel::sequenceLogLikelihood(const PoseTrack& track, double rival) {
+double ArcModel::sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) {
   const PoseSamples samples(track);
-  SequenceFit best = fitArcSequence(samples, shape_, fit_, sequence_start_.value_or(arc_), config_);
+  SequenceFit best = fitArcSequence(samples, shape_, fit_, sequence_start_.value_or(arc_), rival, config_);
   const auto tryStart = [&](const Arc& start) {
-    const SequenceFit fit = fitArcSequence(samples, shape_, fit_, start, config_);
+    const SequenceFit fit = fitArcSequence(samples, shape_, fit_, start, rival, config_);
     if (fit.log_likelihood > best.log_likelihood) best = fit;
   };
   // Circles have local optima: where it matters, they are looked for from everywhere, and again when there are more poses.
-  const bool close = std::abs(best.log_likelihood - rival) < kClear;
+  const bool close = rival && std::abs(best.log_likelihood - *rival) < kClear;
   if (shape_ == PathShape::kCircle && close && samples.size() > searched_at_ + searched_at_ / 4) {
     searched_at_ = samples.size();
     if (sequence_start_) tryStart(arc_);

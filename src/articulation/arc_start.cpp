@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kScoredPoses = 60;
 constexpr int kHypotheses = 30;
+constexpr double kStraightRadius = 100;   ///< [m] circles beyond are lines
 constexpr double kTypicalRadius = 0.45;  ///< [m] of a cabinet's door
 
 /// Directions in which points scatter, most first.
@@ -30,10 +31,6 @@ Scatter scatterOf(const std::vector<Eigen::Vector3d>& points) {
   return scatter;
 }
 
-double clampedCurvature(double radius, const ArticulationConfig& config) {
-  return 1 / std::clamp(radius, config.radius_min, config.radius_max);
-}
-
 /// The arc around `center` whose middle is where `towards` lies as seen from there.
 Arc arcAround(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, double radius, const Eigen::Vector3d& towards) {
   Arc arc;
@@ -48,14 +45,15 @@ Arc arcAround(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, double
   return arc;
 }
 
-/// Slides the centre along the radial direction of the arc's middle until the radius is allowed.
-Arc withAllowedRadius(Arc arc, const ArticulationConfig& config) {
-  arc.curvature = clampedCurvature(arc.radius(), config);
-  return arc;
+Arc lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& direction) {
+  Arc line;
+  line.middle = a;
+  line.frame = arcFrame(direction.norm() > 1e-9 ? direction : Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
+  return line;
 }
 
 /// Algebraic circle in the plane of greatest scatter (Taubin's start in its linear, Kasa's, form).
-Arc algebraicCircle(const std::vector<Eigen::Vector3d>& points, const Scatter& scatter, const ArticulationConfig& config) {
+Arc algebraicCircle(const std::vector<Eigen::Vector3d>& points, const Scatter& scatter) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) {
@@ -67,35 +65,20 @@ Arc algebraicCircle(const std::vector<Eigen::Vector3d>& points, const Scatter& s
   const Eigen::Vector3d solution = normal.fullPivLu().solve(right);
   const Eigen::Vector2d center = solution.head<2>() / 2;
   const double radius = std::sqrt(std::max(1e-12, solution.z() + center.squaredNorm()));
-  if (!std::isfinite(radius) || !center.allFinite() || radius > 1e3)
-    return arcAround(scatter.mean - scatter.axes.col(1) * config.radius_max, scatter.axes.col(2), config.radius_max,
-                     scatter.mean);
+  if (!std::isfinite(radius) || radius > kStraightRadius) return lineThrough(scatter.mean, scatter.axes.col(0));
   const Eigen::Vector3d center_world = scatter.mean + scatter.axes.leftCols<2>() * center;
-  return withAllowedRadius(arcAround(center_world, scatter.axes.col(2), std::max(radius, 1e-6), scatter.mean), config);
+  return arcAround(center_world, scatter.axes.col(2), radius, scatter.mean);
 }
 
 /// The circle through three points.
-Arc circleThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                  const ArticulationConfig& config) {
+Arc circleThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, ac = c - a;
   const Eigen::Vector3d normal = ab.cross(ac);
   const double twice = 2 * normal.squaredNorm();
-  if (twice < 1e-16) {
-    Arc line;
-    line.middle = (a + c) / 2;
-    line.frame = arcFrame(ac.norm() > 1e-9 ? ac : Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
-    line.curvature = 1 / config.radius_max;
-    return line;
-  }
+  if (twice < 1e-16) return lineThrough(a, ac);
   const Eigen::Vector3d to_center = (normal.cross(ab) * ac.squaredNorm() + ac.cross(normal) * ab.squaredNorm()) / twice;
-  return withAllowedRadius(arcAround(a + to_center, normal.normalized(), to_center.norm(), (a + b + c) / 3), config);
-}
-
-Arc lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& direction) {
-  Arc line;
-  line.middle = a;
-  line.frame = arcFrame(direction.norm() > 1e-9 ? direction : Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero());
-  return line;
+  if (to_center.norm() > kStraightRadius) return lineThrough(a, ac);
+  return arcAround(a + to_center, normal.normalized(), to_center.norm(), (a + b + c) / 3);
 }
 
 double disagreement(const Arc& arc, const std::vector<Eigen::Vector3d>& points, double sigma) {
@@ -138,13 +121,13 @@ Arc consensusArc(const PoseSamples& samples, PathShape shape, const Articulation
     points.push_back(samples.positions[count < 2 ? 0 : i * (samples.size() - 1) / (count - 1)]);
   const Scatter scatter = scatterOf(points);
   Arc best =
-      shape == PathShape::kLine ? lineThrough(scatter.mean, scatter.axes.col(0)) : algebraicCircle(points, scatter, config);
+      shape == PathShape::kLine ? lineThrough(scatter.mean, scatter.axes.col(0)) : algebraicCircle(points, scatter);
   double best_score = disagreement(best, points, config.sigma_position);
   std::mt19937 random(static_cast<std::uint32_t>(config.seed));
   const auto draw = [&]() -> const Eigen::Vector3d& { return points[random() % points.size()]; };
   for (int i = 0; i < kHypotheses; ++i) {
     const Eigen::Vector3d &a = draw(), &b = draw(), &c = draw();
-    const Arc arc = shape == PathShape::kLine ? lineThrough(a, b - a) : circleThrough(a, b, c, config);
+    const Arc arc = shape == PathShape::kLine ? lineThrough(a, b - a) : circleThrough(a, b, c);
     const double score = disagreement(arc, points, config.sigma_position);
     if (score < best_score) {
       best_score = score;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cabinet_articulation/articulation/model_registry.h"
 #include "cabinet_articulation/articulation/motion_threshold.h"
@@ -75,13 +74,13 @@ bool FrontLearner::update(const Track& track) {
     candidates_.push_back(evaluateCandidate(model.get(), spaced, config_));
   }
   const PoseTrack sequence = fromFirstExplained(poses_, candidates_, 3 * config_.sigma_position);
-  double rival = -std::numeric_limits<double>::infinity();
+  std::optional<double> rival;
   for (Candidate& candidate : candidates_) {
     if (!candidate.model->moves()) continue;
     const double parameters = candidate.model->complexity(sequence.has_orientation);
     const double likelihood = candidate.model->sequenceLogLikelihood(sequence, rival);
     candidate.evidence = likelihood - 0.5 * parameters * std::log(static_cast<double>(sequence.size()));
-    rival = std::max(rival, likelihood);
+    rival = std::max(rival.value_or(likelihood), likelihood);
   }
   if (candidates_.empty()) return false;
   MotionThreshold threshold = motionThreshold(track, poses_, config_);

@@ -83,14 +83,9 @@ ReferencePoint bestReferencePoint(const Track& track, const ReferencePoint* pref
     const PoseTrack poses = thinned(poseTrack(track, point, config), kComparedPoses);
     if (poses.size() < 3) return {};
     const PoseSamples samples(poses);
-    std::vector<Arc> starts;
-    if (options.empty()) {
-      starts.push_back(consensusArc(samples, PathShape::kCircle, config));
-      for (const Arc& arc : typicalCircles(samples, starts.front())) starts.push_back(arc);
-    } else {
-      starts.push_back(shifted(center_arc, point.offset(track.width, track.height)));
-    }
-    const ArcFit fit = fitArc(samples, PathShape::kCircle, starts, config);
+    const Arc start = options.empty() ? consensusArc(samples, PathShape::kCircle, config)
+                                      : shifted(center_arc, point.offset(track.width, track.height));
+    const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config);
     if (options.empty()) center_arc = fit.arc;
     options.push_back({point, positionRms(samples, fit.arc, limit), std::abs(fit.arc.radius())});
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <optional>
 
 #include "cabinet_articulation/articulation/arc.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
@@ -18,11 +18,10 @@ struct ArcFit {
   Arc arc;
   double position_scale = 0;     ///< [m]
   double orientation_scale = 0;  ///< [rad]
-  double cost = 0;               ///< negative log-likelihood up to a constant; comparable between fits to one track
 };
 
-/// The best path from the given starts. Circles respect the radius limits of `config`.
-ArcFit fitArc(const PoseSamples& samples, PathShape shape, const std::vector<Arc>& starts, const ArticulationConfig& config);
+/// The best path near `start`. Circles respect the radius limits of `config`.
+ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config);
 
 /// Inverse of the Gauss-Newton matrix at the fit, in the order of ArcProblem's parameters (9, or 6 without
 /// orientation), for independent residuals. Rows of parameters that the shape fixes are zero.
@@ -37,7 +36,8 @@ struct SequenceFit {
 /// The most likely path near `start` when residuals are an autoregressive sequence of first order with Student's t
 /// innovations: what tells a bowed drawer from a door, where slip and calibration make residuals follow one another. It
 /// is good for choosing and bad for parameters (measured). `fit` gives the scales that place poses along the path.
+/// A result that is clearly better or worse than the likelihood `rival` need not be the best.
 SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
-                           const ArticulationConfig& config);
+                           std::optional<double> rival, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -17,7 +17,7 @@ class ArcModel : public ArticulationModel {
   bool fit(const PoseTrack& track) override;
   Eigen::Isometry3d predict(double q) const override { return arc_.pose(first_ + q / unit()); }
   double configuration(const Eigen::Isometry3d& pose) const override;
-  double sequenceLogLikelihood(const PoseTrack& track, double rival) override;
+  double sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) override;
 
  protected:
   /// q per metre of path.

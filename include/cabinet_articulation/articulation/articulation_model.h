@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,7 +75,7 @@ class ArticulationModel {
   /// Log-likelihood of the track, up to a constant that all models share, when residuals follow one another. The model
   /// may adapt itself to that for the purpose, but its parameters stay. Compares models that move (see
   /// model_selection.h). `rival` is the best of the others so far: where the difference is clear, less effort will do.
-  virtual double sequenceLogLikelihood(const PoseTrack& track, double rival) = 0;
+  virtual double sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) = 0;
 
   ModelResiduals residuals(const PoseTrack& track) const;
 

@@ -20,7 +20,7 @@ class RigidModel : public ArticulationModel {
   Matrix6d covariance(const PoseTrack& track, const Eigen::Vector3d& p, double correlation) const override;
   std::vector<ModelParam> parameters() const override;
   /// Not meaningful: slow motion is a sequence like any other, so that a rigid model would explain it.
-  double sequenceLogLikelihood(const PoseTrack&, double) override { return -1e300; }
+  double sequenceLogLikelihood(const PoseTrack&, std::optional<double>) override { return -1e300; }
 
  private:
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
