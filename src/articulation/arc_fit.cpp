@@ -16,6 +16,9 @@ namespace {
 /// [nats] Fits stop when a step gains less: far less than decides anything.
 constexpr double kTolerance = 0.02;
 
+/// [nats] The same where the curvature is held at its limit: there the model is wrong, and its last digits do not matter.
+constexpr double kHeldTolerance = 0.5;
+
 /// [nats] Differences above which the better model is clear.
 constexpr double kClear = 40;
 
@@ -50,19 +53,21 @@ class Fitter {
     Arc arc = start;
     Result best{start, unknown};
     int outside = 0;
+    double tolerance = kTolerance;
     for (int round = 0; round < kRounds; ++round) {
       const double cost = noise->template estimate<Problem>(Problem(samples_, noise->noise(), arc, curvature).rawResiduals());
       const double gain = best.cost - cost;
       if (gain > 0) best = {arc, cost};
       const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
       outside += leaves;
-      const bool settled = gain < kTolerance || (!leaves && rival && isClear(best.cost, gain, *rival));
+      const bool settled = gain < tolerance || (!leaves && rival && isClear(best.cost, gain, *rival));
       if (!settled && outside < 2) {
         if (step(&arc, curvature, noise->noise())) continue;
       }
       if (!leaves) break;
       arc = limited(best.arc);
       curvature = Curvature::kFixed;
+      tolerance = kHeldTolerance;
       best.cost = unknown;
       outside = 0;
     }

@@ -15,8 +15,8 @@ ArcPlace nearestPlace(const Eigen::Vector3d& p, double curvature) {
   place.cosine = (1 - curvature * p.y()) / root;
   place.sine = curvature * p.x() / root;
   // 1 - cos = sin^2 / (1 + cos) before the quarter turn.
-  place.bend = place.cosine > 0 ? p.x() * p.x() / (root * root * (1 + place.cosine))
-                                : (1 - place.cosine) / (curvature * curvature);
+  place.bend =
+      place.cosine > 0 ? p.x() * p.x() / (root * root * (1 + place.cosine)) : (1 - place.cosine) / (curvature * curvature);
   return place;
 }
 

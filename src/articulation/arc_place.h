@@ -7,7 +7,7 @@ namespace cabinet_articulation::core {
 
 /// Where on an arc a point belongs, with what derivatives need. All in the arc's frame.
 struct ArcPlace {
-  double theta = 0;    ///< [rad] how far the arc has turned there
+  double theta = 0;  ///< [rad] how far the arc has turned there
   double cosine = 1, sine = 0;
   double length = 0;   ///< [m] s
   double outward = 0;  ///< [m] signed distance from the arc

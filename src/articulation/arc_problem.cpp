@@ -98,10 +98,10 @@ void fillBlock(const PoseSamples& samples, std::size_t i, const Evaluation& eval
     // A rotation vector's derivative by a small turn is a matrix that leaves the vector itself alone: the identity in its
     // place gives the exact gradient of its square.
     block->template rightCols<9>() << -s, 0, p.z() * s, -p.z() * c, p.y() * c - p.x() * s, -place.stretch, 0, 0, 0,  //
-        c, 0, -p.z() * c, -p.z() * s, p.x() * c + p.y() * s, place.bend, 0, 0, 0,                                   //
-        0, -1, -p.y(), p.x(), 0, 0, 0, 0, 0,                                                                        //
-        0, 0, c - 1, -s, 0, 0, -c, s, 0,                                                                            //
-        0, 0, s, c - 1, 0, 0, -s, -c, 0,                                                                            //
+        c, 0, -p.z() * c, -p.z() * s, p.x() * c + p.y() * s, place.bend, 0, 0, 0,                                    //
+        0, -1, -p.y(), p.x(), 0, 0, 0, 0, 0,                                                                         //
+        0, 0, c - 1, -s, 0, 0, -c, s, 0,                                                                             //
+        0, 0, s, c - 1, 0, 0, -s, -c, 0,                                                                             //
         0, 0, 0, 0, 0, -place.length, 0, 0, -1;
   }
   block->template bottomRows<3>() *= evaluation.ratio;
@@ -112,8 +112,7 @@ void fillBlock(const PoseSamples& samples, std::size_t i, const Evaluation& eval
     axes << c, s, 0, s, -c, 0, 0, 0, 1;
     const Eigen::Matrix3d to_axes = axes * evaluation.to_frame;
     const Eigen::Matrix3d position = to_axes * samples.position_weights[i] * to_axes.transpose();
-    const Eigen::Matrix3d orientation =
-        evaluation.to_frame * samples.orientation_weights[i] * evaluation.to_frame.transpose();
+    const Eigen::Matrix3d orientation = evaluation.to_frame * samples.orientation_weights[i] * evaluation.to_frame.transpose();
     block->template topRows<3>() = (position * block->template topRows<3>()).eval();
     block->template bottomRows<3>() = (orientation * block->template bottomRows<3>()).eval();
     Eigen::Matrix<double, 6, 1> motion;
@@ -154,8 +153,7 @@ Arc ArcProblem<kWithOrientation>::arc(const double* parameters) const {
   arc.middle += base_.frame.rightCols<2>() * x.template head<2>();
   arc.frame = base_.frame * rotationFromVector(x.template segment<3>(2));
   if (curvature_ == Curvature::kFree) arc.curvature += x[5];
-  if constexpr (kWithOrientation)
-    arc.orientation = rotationFromVector(base_.frame * x.template tail<3>()) * base_.orientation;
+  if constexpr (kWithOrientation) arc.orientation = rotationFromVector(base_.frame * x.template tail<3>()) * base_.orientation;
   return arc;
 }
 
@@ -189,8 +187,7 @@ void ArcProblem<kWithOrientation>::evaluate(const Arc& arc, double* residuals, d
     }
     previous = current;
     out.template segment<kRows>(kRows * i) = block.col(0);
-    if constexpr (kColumns > 1)
-      out_jacobian.template middleRows<kRows>(kRows * i) = block.template rightCols<NUM_PARAMETERS>();
+    if constexpr (kColumns > 1) out_jacobian.template middleRows<kRows>(kRows * i) = block.template rightCols<NUM_PARAMETERS>();
   }
 }
 

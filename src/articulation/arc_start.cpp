@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kScoredPoses = 60;
 constexpr int kHypotheses = 30;
-constexpr double kStraightRadius = 100;   ///< [m] circles beyond are lines
+constexpr double kStraightRadius = 100;  ///< [m] circles beyond are lines
 constexpr double kTypicalRadius = 0.45;  ///< [m] of a cabinet's door
 
 /// Directions in which points scatter, most first.
@@ -120,8 +120,7 @@ Arc consensusArc(const PoseSamples& samples, PathShape shape, const Articulation
   for (std::size_t i = 0; i < count; ++i)
     points.push_back(samples.positions[count < 2 ? 0 : i * (samples.size() - 1) / (count - 1)]);
   const Scatter scatter = scatterOf(points);
-  Arc best =
-      shape == PathShape::kLine ? lineThrough(scatter.mean, scatter.axes.col(0)) : algebraicCircle(points, scatter);
+  Arc best = shape == PathShape::kLine ? lineThrough(scatter.mean, scatter.axes.col(0)) : algebraicCircle(points, scatter);
   double best_score = disagreement(best, points, config.sigma_position);
   std::mt19937 random(static_cast<std::uint32_t>(config.seed));
   const auto draw = [&]() -> const Eigen::Vector3d& { return points[random() % points.size()]; };

@@ -46,24 +46,29 @@ bool isTouchingSomethingRound(const Candidate& candidate, const Eigen::Isometry3
 
 }  // namespace
 
-FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config) {
-  for (const ModelEntry& entry : modelRegistry())
-    if (config.*entry.enabled) models_.push_back(entry.create(config));
-}
+FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config), observations_(config) { createModels(); }
 
 void FrontLearner::chooseReference(const Track& track) {
   // The choice changes what q means, so it is only looked at again when twice as much is known.
-  if (reference_chosen_at_ > 0 && track.observations.size() < 2 * reference_chosen_at_) return;
-  reference_ = bestReferencePoint(track, reference_chosen_at_ > 0 ? &reference_ : nullptr, config_);
-  reference_chosen_at_ = std::max<std::size_t>(5, track.observations.size());
+  if (reference_chosen_at_ > 0 && observations_.size() < 2 * reference_chosen_at_) return;
+  const ReferencePoint* chosen = reference_chosen_at_ > 0 ? &reference_ : nullptr;
+  const ReferencePoint best = bestReferencePoint(observations_, track.width, track.height, chosen, config_);
+  const bool changed = !chosen || best.x != chosen->x || best.y != chosen->y;
+  reference_ = best;
+  reference_chosen_at_ = std::max<std::size_t>(5, observations_.size());
+  if (changed) createModels();
+}
+
+void FrontLearner::createModels() {
+  models_.clear();
+  for (const ModelEntry& entry : modelRegistry())
+    if (config_.*entry.enabled) models_.push_back(entry.create(config_));
 }
 
 bool FrontLearner::update(const Track& track) {
+  if (!observations_.update(track)) return false;
   chooseReference(track);
-  PoseTrack poses = thinned(poseTrack(track, reference_, config_), static_cast<std::size_t>(config_.sequence_poses_max));
-  if (poses.size() == 0) return false;
-  poses_ = std::move(poses);
-  observations_ = static_cast<int>(track.observations.size());
+  poses_ = observations_.track(reference_, static_cast<std::size_t>(config_.sequence_poses_max));
   front_.id = track.id;
   front_.width = track.width;
   front_.height = track.height;
@@ -125,7 +130,7 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
   learned.q = model.configuration(poses_.poses.back());
   learned.q_min = residuals.q_min;
   learned.q_max = residuals.q_max;
-  learned.observations = observations_;
+  learned.observations = static_cast<int>(observations_.size());
   const double n = static_cast<double>(residuals.q.size());
   for (std::size_t i = 0; i < residuals.q.size(); ++i) {
     learned.position_error += residuals.position[i].norm() / n;

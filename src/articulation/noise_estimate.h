@@ -62,8 +62,7 @@ class IndependentNoise {
   double studentCost(const Rows& residuals, int dimensions, double scale) const {
     const double nu = noise_.degrees_of_freedom;
     double sum = 0;
-    for (Eigen::Index i = 0; i < residuals.cols(); ++i)
-      sum += std::log1p(residuals.col(i).squaredNorm() / (nu * scale * scale));
+    for (Eigen::Index i = 0; i < residuals.cols(); ++i) sum += std::log1p(residuals.col(i).squaredNorm() / (nu * scale * scale));
     return 0.5 * (nu + dimensions) * sum + dimensions * static_cast<double>(residuals.cols()) * std::log(scale);
   }
 
@@ -89,11 +88,11 @@ class SequenceNoise {
 
   template <class Problem>
   double estimate(const typename Problem::Residuals& residuals) {
-    double cost = estimateRows(residuals.template topRows<Problem::kPositionRows>(), 2, noise_.first_position,
-                               &noise_.position, &noise_.position_correlation);
+    double cost = estimateRows(residuals.template topRows<Problem::kPositionRows>(), 2, noise_.first_position, &noise_.position,
+                               &noise_.position_correlation);
     if constexpr (Problem::kRows > Problem::kPositionRows)
-      cost += estimateRows(residuals.template bottomRows<Problem::kRows - Problem::kPositionRows>(), 3,
-                           noise_.first_orientation, &noise_.orientation, &noise_.orientation_correlation);
+      cost += estimateRows(residuals.template bottomRows<Problem::kRows - Problem::kPositionRows>(), 3, noise_.first_orientation,
+                           &noise_.orientation, &noise_.orientation_correlation);
     return cost;
   }
 

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/pose_track.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace cabinet_articulation::core {
 namespace {
-
-bool usable(const Eigen::Isometry3d& pose) {
-  if (!pose.matrix().allFinite()) return false;
-  // A rotation matrix up to rounding: anything else is not a pose.
-  const Eigen::Matrix3d& R = pose.linear();
-  return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && R.determinant() > 0;
-}
 
 PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indices) {
   PoseTrack out;
@@ -31,17 +22,6 @@ PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indic
 }
 
 }  // namespace
-
-PoseTrack cleaned(const PoseTrack& track) {
-  const bool stamped = track.stamps.size() == track.size();
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < track.size(); ++i)
-    if (usable(track.poses[i]) && (!stamped || std::isfinite(track.stamps[i]))) indices.push_back(i);
-  if (stamped)
-    std::stable_sort(indices.begin(), indices.end(),
-                     [&track](std::size_t a, std::size_t b) { return track.stamps[a] < track.stamps[b]; });
-  return selected(track, indices);
-}
 
 PoseTrack thinned(const PoseTrack& track, std::size_t count) {
   if (track.size() <= count || count < 2) return track;

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "articulation/synthetic_tracks.h"
+#include "cabinet_articulation/articulation/front_poses.h"
 #include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/articulation/reference_point.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -26,7 +26,9 @@ class ModelContract : public ::testing::TestWithParam<ModelEntry> {
     SyntheticFront front = frontOf(GetParam().type);
     front.noise = noise;
     front.turn_noise = 3 * noise;
-    return poseTrack(syntheticTrack(front), {1, 0}, config_);
+    FrontPoses poses(config_);
+    poses.update(syntheticTrack(front));
+    return poses.track({1, 0}, 1000);
   }
 
   ArticulationConfig config_;

@@ -6,13 +6,15 @@
 #include <cmath>
 
 #include "articulation/synthetic_tracks.h"
-#include "cabinet_articulation/articulation/reference_point.h"
+#include "cabinet_articulation/articulation/front_poses.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 MotionThreshold thresholdOf(const Track& track, const ArticulationConfig& config = {}) {
-  return motionThreshold(track, poseTrack(track, {}, config), config);
+  FrontPoses poses(config);
+  poses.update(track);
+  return motionThreshold(track, poses.track({}, poses.size()), config);
 }
 
 SyntheticFront noisy(double noise) {

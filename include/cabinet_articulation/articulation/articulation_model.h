@@ -54,8 +54,8 @@ class ArticulationModel {
   /// Number of parameters, for the penalty of Eq. (11).
   virtual int complexity(bool with_orientation) const = 0;
 
-  /// Estimates the parameters from a clean track (see cleaned()). A model that was fitted before starts from there. False
-  /// if the track is too short for this model; the model is then unchanged.
+  /// Estimates the parameters from a track of finite poses, in the order of their stamps. A model that was fitted before starts
+  /// from there. False if the track is too short for this model; the model is then unchanged.
   virtual bool fit(const PoseTrack& track) = 0;
 
   /// The pose at q, Eq. (8).

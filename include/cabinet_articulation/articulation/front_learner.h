@@ -27,14 +27,15 @@ class FrontLearner {
  private:
   LearnedModel describe(const Candidate& candidate) const;
   void chooseReference(const Track& track);
+  void createModels();
 
   ArticulationConfig config_;
+  FrontPoses observations_;
   std::vector<std::unique_ptr<ArticulationModel>> models_;
   ReferencePoint reference_;
   std::size_t reference_chosen_at_ = 0;  ///< observations when the reference point was chosen last
   Track front_;                          ///< id and size of the track
   PoseTrack poses_;                      ///< of the reference point
-  int observations_ = 0;
   std::vector<Candidate> candidates_;
   Selection selection_;
   LearnedModel learned_;

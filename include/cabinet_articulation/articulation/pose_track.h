@@ -21,9 +21,6 @@ struct PoseTrack {
   std::size_t size() const { return poses.size(); }
 };
 
-/// The poses that can be used, in the order of their stamps: finite ones, with a proper rotation.
-PoseTrack cleaned(const PoseTrack& track);
-
 /// At most `count` poses, evenly spaced, the first and the last among them.
 PoseTrack thinned(const PoseTrack& track, std::size_t count);
 

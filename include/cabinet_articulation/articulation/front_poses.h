@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/articulation/pose_track.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/// A point of a front's rectangle: x, y in half widths and heights from the centre.
+struct ReferencePoint {
+  int x = 0;
+  int y = 0;
+
+  /// Its place in the front's own frame.
+  Eigen::Vector3d offset(double width, double height) const { return {x * width / 2, y * height / 2, 0}; }
+};
+
+/// The usable observations of a track, ready for fits and in the order of their stamps. An update costs as much as what
+/// is new.
+class FrontPoses {
+ public:
+  explicit FrontPoses(const ArticulationConfig& config) : config_(config) {}
+
+  /// Takes over what the track has now. False, and nothing changes, if it has no usable observation.
+  bool update(const Track& track);
+
+  std::size_t size() const { return entries_.size(); }
+
+  /// The track of a reference point, at most `count` poses, evenly spaced, the first and the last among them. Sizes are
+  /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
+  PoseTrack track(ReferencePoint point, std::size_t count) const;
+
+ private:
+  struct Entry {
+    double stamp;
+    Eigen::Isometry3d center;
+    double width, height;
+    bool weighted;
+    Eigen::Matrix3d position_weight, orientation_weight;
+  };
+
+  void append(const TrackedObservation& observation, std::vector<Entry>* entries) const;
+  bool isContinuedBy(const Track& track) const;
+
+  ArticulationConfig config_;
+  std::vector<Entry> entries_;
+  bool weighted_ = false;
+  // What of the track was taken over.
+  std::uint32_t revision_ = 0;
+  std::size_t observations_ = 0;
+  double first_stamp_ = 0, last_stamp_ = 0;
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/front_poses.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+namespace {
+
+bool isRotation(const Eigen::Matrix3d& R) {
+  return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && R.determinant() > 0;
+}
+
+/// (I + covariance / sigma^2)^(-1/2): a deviation weighs as much as it would with that much noise besides sigma.
+Eigen::Matrix3d weightOf(const Eigen::Matrix3d& covariance, double sigma) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(0) / (sigma * sigma);
+  return solver.eigenvectors() * (variances.array() + 1).rsqrt().matrix().asDiagonal() * solver.eigenvectors().transpose();
+}
+
+}  // namespace
+
+void FrontPoses::append(const TrackedObservation& observation, std::vector<Entry>* entries) const {
+  const Rectangle& rectangle = observation.rectangle;
+  if (!std::isfinite(observation.stamp) || !std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
+  if (!rectangle.pose.matrix().allFinite() || !isRotation(rectangle.pose.linear())) return;
+  Entry entry{observation.stamp,          rectangle.pose, rectangle.width, rectangle.height, false, Eigen::Matrix3d::Identity(),
+              Eigen::Matrix3d::Identity()};
+  entry.weighted = observation.covariance.allFinite() && !observation.covariance.isZero(0);
+  if (entry.weighted) {
+    // Edges err together, by a side face taken along or a hinge side hidden by its neighbour; planes do not.
+    const Eigen::Vector3d normal = rectangle.normal();
+    const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    const Eigen::Matrix3d total =
+        observation.covariance.topLeftCorner<3, 3>() + config_.sigma_edge * config_.sigma_edge * in_plane;
+    entry.position_weight = weightOf(total, config_.sigma_plane);
+    entry.orientation_weight = weightOf(observation.covariance.bottomRightCorner<3, 3>(), config_.sigma_orientation);
+  }
+  entries->push_back(entry);
+}
+
+bool FrontPoses::isContinuedBy(const Track& track) const {
+  return observations_ > 0 && track.revision == revision_ && track.observations.size() >= observations_ &&
+         track.observations.front().stamp == first_stamp_ && track.observations[observations_ - 1].stamp == last_stamp_;
+}
+
+bool FrontPoses::update(const Track& track) {
+  const bool continued = isContinuedBy(track);
+  std::vector<Entry> fresh;
+  for (std::size_t i = continued ? observations_ : 0; i < track.observations.size(); ++i) append(track.observations[i], &fresh);
+  if (!continued) {
+    if (fresh.empty()) return false;
+    entries_.clear();
+  }
+  entries_.insert(entries_.end(), fresh.begin(), fresh.end());
+  const auto earlier = [](const Entry& a, const Entry& b) { return a.stamp < b.stamp; };
+  if (!std::is_sorted(entries_.begin(), entries_.end(), earlier)) std::stable_sort(entries_.begin(), entries_.end(), earlier);
+  weighted_ =
+      config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
+  revision_ = track.revision;
+  observations_ = track.observations.size();
+  first_stamp_ = track.observations.front().stamp;
+  last_stamp_ = track.observations.back().stamp;
+  return true;
+}
+
+PoseTrack FrontPoses::track(ReferencePoint point, std::size_t count) const {
+  PoseTrack track;
+  track.has_orientation = config_.use_orientation;
+  const std::size_t n = std::min(count, entries_.size());
+  track.stamps.reserve(n);
+  track.poses.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Entry& entry = entries_[n == entries_.size() || n < 2 ? i : i * (entries_.size() - 1) / (n - 1)];
+    track.stamps.push_back(entry.stamp);
+    track.poses.push_back(entry.center);
+    track.poses.back().translate(point.offset(entry.width, entry.height));
+    if (!weighted_) continue;
+    track.position_weights.push_back(entry.position_weight);
+    track.orientation_weights.push_back(entry.orientation_weight);
+  }
+  return track;
+}
+
+}  // namespace cabinet_articulation::core
