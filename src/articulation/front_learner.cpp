@@ -91,7 +91,9 @@ bool FrontLearner::update(const Track& track) {
   MotionThreshold threshold = motionThreshold(track, poses_, config_);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const Candidate* moving = bestMoving(candidates_);
-  if (moving && poses_.has_orientation && isTouchingSomethingRound(*moving, T_reference_center)) threshold = kNeverMotion;
+  // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
+  const bool is_rectangle = poses_.has_orientation && front_.width > 0;
+  if (moving && is_rectangle && isTouchingSomethingRound(*moving, T_reference_center)) threshold = kNeverMotion;
   selection_ = selectModel(&candidates_, spaced, threshold, config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;
