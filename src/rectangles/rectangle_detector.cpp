@@ -9,6 +9,7 @@
 #include "cabinet_articulation/rectangles/edge_refinement.h"
 #include "cabinet_articulation/rectangles/edge_support.h"
 #include "cabinet_articulation/rectangles/image_edge.h"
+#include "cabinet_articulation/rectangles/plane_refit.h"
 #include "cabinet_articulation/rectangles/rectangle_acceptance.h"
 #include "cabinet_articulation/rectangles/rectangle_covariance.h"
 #include "cabinet_articulation/rectangles/region_fit.h"
@@ -22,6 +23,13 @@ void requireSize(const cv::Mat& image, const cv::Size& expected, const std::stri
                               std::to_string(expected.width) + "x" + std::to_string(expected.height));
 }
 
+void requireSizes(const DepthFrame& frame, const std::vector<PlaneRegion>& regions) {
+  const cv::Size size(frame.camera.width, frame.camera.height);
+  if (!frame.left.empty()) requireSize(frame.left, size, "the left image");
+  if (!frame.right.empty()) requireSize(frame.right, size, "the right image");
+  for (size_t i = 0; i < regions.size(); ++i) requireSize(regions[i].mask, size, "the mask of region " + std::to_string(i));
+}
+
 std::optional<PlaneChart> chartOf(const PlaneRegion& region, const StereoCamera& camera) {
   if (region.hull.empty()) return std::nullopt;
   cv::Point2f middle(0, 0);
@@ -29,17 +37,18 @@ std::optional<PlaneChart> chartOf(const PlaneRegion& region, const StereoCamera&
   return PlaneChart::at(region.plane, camera, {middle.x, middle.y});
 }
 
-/// Eqs. (4) and (5); nothing for a rectangle that does not fill its region.
-std::optional<SupportedRectangle> assess(const PlaneChart& chart, const PlaneRectangle& rectangle, const PlaneRegion& region,
-                                         const RectangleObjective& objective, const RectanglesConfig& config) {
-  const std::optional<ImageQuad> quad = chart.project(rectangle);
+/// Eqs. (4) and (5); nothing for a rectangle that does not fill its region. `objective` must hold the region's mask.
+std::optional<SupportedRectangle> assess(const RectangleCandidate& candidate, const RectangleObjective& objective,
+                                         const RectanglesConfig& config) {
+  const std::optional<ImageQuad> quad = candidate.chart.project(candidate.rectangle);
   if (!quad) return std::nullopt;
   const LabelCounts counts = objective.count(*quad);
   SupportedRectangle result;
   result.support = counts.in_plane;
-  result.detection.rectangle = chart.toSpace(rectangle);
+  result.detection.region = candidate.index;
+  result.detection.rectangle = candidate.chart.toSpace(candidate.rectangle);
   result.detection.precision = precision(counts, config);
-  result.detection.recall = recall(counts, region.inliers);
+  result.detection.recall = recall(counts, candidate.region.inliers);
   if (!fillsRegion(result.detection, counts, config)) return std::nullopt;
   return result;
 }
@@ -66,6 +75,7 @@ PlaneRectangle keepSize(const PlaneRectangle& sized, const RefinedRectangle& ref
 struct RectangleDetector::Buffers {
   explicit Buffers(const RectanglesConfig& config) : objective(config) {}
   RectangleObjective objective;
+  PlaneRefit plane_refit;
 };
 
 RectangleDetector::RectangleDetector(const RectanglesConfig& config) : config_(config) {
@@ -77,33 +87,45 @@ RectangleDetector::~RectangleDetector() = default;
 
 std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& frame, const std::vector<PlaneRegion>& regions,
                                                           const std::vector<Rectangle>& expected) {
-  RectangleObjective& objective = buffers_->objective;
-  const cv::Size size(frame.camera.width, frame.camera.height);
-  if (!frame.left.empty()) requireSize(frame.left, size, "the left image");
-  if (!frame.right.empty()) requireSize(frame.right, size, "the right image");
+  requireSizes(frame, regions);
+  std::vector<RectangleCandidate> candidates = search(frame.camera, regions, expected);
+  if (config_.refine_planes) buffers_->plane_refit.process(frame, &candidates);
   std::vector<SupportedRectangle> accepted;
-  for (size_t i = 0; i < regions.size(); ++i) {
-    const PlaneRegion& region = regions[i];
-    requireSize(region.mask, size, "the mask of region " + std::to_string(i));
-    const std::optional<PlaneChart> chart = chartOf(region, frame.camera);
-    if (!chart) continue;
-    objective.setMask(region.mask);
-    const std::optional<RegionFit> fit = fitRegion(region, *chart, objective, expected, config_);
-    if (!fit || !assess(*chart, fit->rectangle, region, objective, config_)) continue;
-    RefinedRectangle refined{fit->rectangle, {}};
-    if (config_.refine_edges) refined = refineEdges(*chart, region, frame, fit->rectangle, config_);
-    if (fit->guided) refined.rectangle = keepSize(fit->rectangle, refined);
-    std::optional<SupportedRectangle> result = assess(*chart, refined.rectangle, region, objective, config_);
-    if (!result) continue;
-    result->detection.edge_support = edgeSupport(*chart, refined.rectangle, region.mask, refined.confirmed);
-    if (!bounded(result->detection.edge_support, config_) && !tracked(result->detection.rectangle, expected)) continue;
-    std::array<EdgeObservation, 4> edges;
-    for (const Edge edge : kEdges) edges[edge] = {result->detection.edge_support[edge], refined.confirmed[edge]};
-    result->detection.covariance = rectangleCovariance(*chart, refined.rectangle, edges, region, frame);
-    result->detection.region = static_cast<int>(i);
-    accepted.push_back(*result);
-  }
+  for (RectangleCandidate& candidate : candidates)
+    if (auto result = refine(frame, expected, &candidate)) accepted.push_back(*result);
   return selectBest(std::move(accepted), config_);
+}
+
+std::vector<RectangleCandidate> RectangleDetector::search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
+                                                          const std::vector<Rectangle>& expected) {
+  std::vector<RectangleCandidate> candidates;
+  for (size_t i = 0; i < regions.size(); ++i) {
+    const std::optional<PlaneChart> chart = chartOf(regions[i], camera);
+    if (!chart) continue;
+    buffers_->objective.setMask(regions[i].mask);
+    const std::optional<RegionFit> fit = fitRegion(regions[i], *chart, buffers_->objective, expected, config_);
+    if (!fit) continue;
+    const RectangleCandidate candidate{static_cast<int>(i), regions[i], *chart, fit->rectangle, fit->guided};
+    if (assess(candidate, buffers_->objective, config_)) candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+std::optional<SupportedRectangle> RectangleDetector::refine(const DepthFrame& frame, const std::vector<Rectangle>& expected,
+                                                            RectangleCandidate* candidate) {
+  RefinedRectangle refined{candidate->rectangle, {}};
+  if (config_.refine_edges) refined = refineEdges(candidate->chart, candidate->region, frame, candidate->rectangle, config_);
+  candidate->rectangle = candidate->guided ? keepSize(candidate->rectangle, refined) : refined.rectangle;
+  buffers_->objective.setMask(candidate->region.mask);
+  std::optional<SupportedRectangle> result = assess(*candidate, buffers_->objective, config_);
+  if (!result) return std::nullopt;
+  DetectedRectangle& detection = result->detection;
+  detection.edge_support = edgeSupport(candidate->chart, candidate->rectangle, candidate->region.mask, refined.confirmed);
+  if (!bounded(detection.edge_support, config_) && !tracked(detection.rectangle, expected)) return std::nullopt;
+  std::array<EdgeObservation, 4> edges;
+  for (const Edge edge : kEdges) edges[edge] = {detection.edge_support[edge], refined.confirmed[edge]};
+  detection.covariance = rectangleCovariance(candidate->chart, candidate->rectangle, edges, candidate->region, frame);
+  return result;
 }
 
 }  // namespace cabinet_articulation::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cabinet_articulation/planes/plane_region.h"
@@ -10,6 +11,9 @@
 #include "cabinet_articulation/stereo/depth_frame.h"
 
 namespace cabinet_articulation::core {
+
+struct RectangleCandidate;
+struct SupportedRectangle;
 
 /// Paper III-B.2: at most one rectangle in each plane region.
 class RectangleDetector {
@@ -26,6 +30,13 @@ class RectangleDetector {
 
  private:
   struct Buffers;
+  /// At most one rectangle per region, by its mask alone.
+  std::vector<RectangleCandidate> search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
+                                         const std::vector<Rectangle>& expected);
+  /// Edges from the images, acceptance and covariance.
+  std::optional<SupportedRectangle> refine(const DepthFrame& frame, const std::vector<Rectangle>& expected,
+                                           RectangleCandidate* candidate);
+
   RectanglesConfig config_;
   std::unique_ptr<Buffers> buffers_;
 };

@@ -22,7 +22,8 @@ struct RectanglesConfig {
   int seed = 1;
   double first_step = 0.12;
   double last_step = 0.001;
-  // Edges
+  // Refinement on the images
+  bool refine_planes = true;
   bool refine_edges = true;
   double edge_contrast = 1;
   double edge_agreement = 0.5;
@@ -30,8 +31,8 @@ struct RectanglesConfig {
   double min_precision = 0.85;
   double min_recall = 0.7;
   double min_visible = 0.4;
-  double min_observed_edges = 1.6;
-  double min_observed_across = 0.35;
+  double min_observed_edges = 2;
+  double min_observed_across = 0.4;
   double min_side = 0.06;
   double max_side = 1.0;
   int max_rectangles = 20;
@@ -43,6 +44,7 @@ struct RectanglesConfig {
     RectanglesConfig config;
     config.objective = "paper";
     config.random_starts = 10;
+    config.refine_planes = false;
     config.refine_edges = false;
     config.min_precision = 0.7;
     config.min_visible = 0;
@@ -75,6 +77,8 @@ struct RectanglesConfig {
           "first step of the search (ours: 12 cm crosses a hand or a handle, 3 cm does not)");
     visit("last_step", self.last_step, Range{1e-4, 0.1}, "m",
           "the search ends when its step, halved again and again, falls below this");
+    visit("refine_planes", self.refine_planes,
+          "refine the plane of a small rectangle on its own pixels (ours: far fronts); needs the images");
     visit("refine_edges", self.refine_edges,
           "move each edge to where left and right image stop agreeing on the plane; needs the images");
     visit("edge_contrast", self.edge_contrast, Range{0, 5}, "",

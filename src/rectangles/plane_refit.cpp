@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/plane_refit.h"
+
+#include <cmath>
+
+#include "cabinet_articulation/rectangles/image_spans.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kInner = 0.95;      ///< share of the rectangle's sides that is used: edges blur
+constexpr double kManyPixels = 2e4;  ///< [px^2] larger rectangles have a plane that needs no second look
+constexpr float kTolerance = 2;      ///< [px] pixels that block matching puts farther away belong to something in front
+
+/// The cells inside a quadrilateral, as a region with the given plane.
+void appendRegion(const ImageQuad& quad, const DisparityPlane& plane, const cv::Size& image, RegionSet* set) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& corner : quad) middle += corner / 4;
+  ImageQuad cells;
+  for (size_t i = 0; i < 4; ++i) cells[i] = (middle + kInner * (quad[i] - middle)) / kCell;
+  GrownRegion region;
+  region.plane = plane;
+  region.first_run = static_cast<int>(set->runs.size());
+  forEachSpan(cells, image.width / kCell, image.height / kCell, 1, [&](int row, int begin, int end) {
+    set->runs.push_back({row, begin, end});
+    region.cells += end - begin;
+  });
+  region.last_run = static_cast<int>(set->runs.size());
+  set->regions.push_back(region);
+}
+
+/// The rectangle of another plane with about the same corners in the image.
+std::optional<PlaneRectangle> carriedOver(const ImageQuad& quad, const PlaneChart& chart) {
+  std::array<Eigen::Vector2d, 4> corners;
+  for (size_t i = 0; i < 4; ++i) {
+    const auto corner = chart.fromPixel(quad[i]);
+    if (!corner) return std::nullopt;
+    corners[i] = *corner;
+  }
+  const Eigen::Vector2d x = (corners[1] + corners[2] - corners[0] - corners[3]) / 2;
+  const Eigen::Vector2d y = (corners[2] + corners[3] - corners[0] - corners[1]) / 2;
+  // Both pairs of edges have a say in the turn, the longer ones more; y turned back by 90 degrees is (y.y, -y.x).
+  const Eigen::Vector2d direction = x.norm() * x + y.norm() * Eigen::Vector2d(y.y(), -y.x());
+  return PlaneRectangle{(corners[0] + corners[1] + corners[2] + corners[3]) / 4, std::atan2(direction.y(), direction.x()),
+                        x.norm(), y.norm()};
+}
+
+}  // namespace
+
+PlaneRefit::PlaneRefit() : refinement_(PlanesConfig{}) {}
+
+void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates) {
+  if (frame.left.empty() || frame.right.empty()) return;
+  set_.regions.clear();
+  set_.runs.clear();
+  std::vector<RectangleCandidate*> small;
+  std::vector<ImageQuad> quads;
+  for (RectangleCandidate& candidate : *candidates) {
+    const auto quad = candidate.chart.project(candidate.rectangle);
+    if (!quad || area(*quad) > kManyPixels) continue;
+    appendRegion(*quad, candidate.region.disparity_plane, frame.left.size(), &set_);
+    small.push_back(&candidate);
+    quads.push_back(*quad);
+  }
+  if (small.empty()) return;
+  tolerance_.create(frame.left.size());
+  tolerance_.setTo(kTolerance);
+  refinement_.process(frame, tolerance_, &set_);
+  for (size_t i = 0; i < small.size(); ++i) {
+    RectangleCandidate& candidate = *small[i];
+    const auto plane = toPlane(set_.regions[i].plane, frame.camera);
+    if (!plane) continue;
+    const auto chart = PlaneChart::at(*plane, frame.camera, candidate.chart.toPixel(candidate.rectangle.center));
+    const auto rectangle = chart ? carriedOver(quads[i], *chart) : std::nullopt;
+    if (!rectangle) continue;
+    candidate.region.plane = *plane;
+    candidate.region.disparity_plane = set_.regions[i].plane;
+    candidate.chart = *chart;
+    candidate.rectangle = *rectangle;
+  }
+}
+
+}  // namespace cabinet_articulation::core
