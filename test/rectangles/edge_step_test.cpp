@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/edge_step.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// Residuals, as a projected grid gives them, of surfaces whose disparity relative to the plane is `disparity(x)` at x px
+/// outward; NaN: none in reach.
+EdgeProfile::Residuals profileOf(const std::function<double(double)>& disparity) {
+  EdgeProfile::Residuals result;
+  result.weight.fill(1);
+  for (int k = 0; k < EdgeProfile::kStrips; ++k) {
+    const double d = disparity(EdgeProfile::offset(k) + EdgeProfile::kStripWidth / 2);
+    for (int i = 0; i < EdgeProfile::kOffsets; ++i) {
+      const double miss = i - EdgeProfile::kOnPlane - d;
+      result.residual[k][i] = std::isnan(d) ? 0.9F : static_cast<float>(0.02 + 0.88 * (1 - std::exp(-miss * miss / 5.6)));
+    }
+  }
+  return result;
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+TEST(EdgeStepTest, FindsASharpEdge) {
+  for (const double edge : {-9.0, -2.5, 0.0, 3.0}) {
+    const EdgeStep step = findStep(profileOf([edge](double x) { return x < edge ? 0 : kNone; }));
+    EXPECT_NEAR(step.offset, edge, 0.5);
+    EXPECT_GT(step.contrast, 3);
+    EXPECT_NEAR(step.inside, std::log(0.02), 0.1);
+  }
+}
+
+TEST(EdgeStepTest, FindsWhereABodySideBendsAway) {
+  for (const double slope : {-0.1, -0.2, -0.4}) {
+    const EdgeStep step = findStep(profileOf([slope](double x) { return x < -4 ? 0 : slope * (x + 4); }));
+    EXPECT_NEAR(step.offset, -4, 1) << slope;
+  }
+}
+
+TEST(EdgeStepTest, PrefersTheBendToTheStepBehindIt) {
+  // The thickness of a door, then the room.
+  const EdgeStep step = findStep(profileOf([](double x) { return x < -2 ? 0 : x < 3 ? -0.25 * (x + 2) : kNone; }));
+  EXPECT_NEAR(step.offset, -2, 1);
+}
+
+TEST(EdgeStepTest, HasNoContrastOnOneSurface) {
+  EXPECT_LT(findStep(profileOf([](double) { return 0; })).contrast, 0.1);
+}
+
+TEST(EdgeStepTest, SaysNothingWithoutPixels) {
+  EdgeProfile::Residuals empty = profileOf([](double) { return 0; });
+  empty.weight.fill(0);
+  EXPECT_EQ(findStep(empty).contrast, 0);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
