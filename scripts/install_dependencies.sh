@@ -26,7 +26,9 @@ debian_packages=(
   ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev
   libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
   # libraries
-  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev libbenchmark-dev
+  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev
+  # benchmarks, and the figures of the evaluation
+  libbenchmark-dev python3-matplotlib
 )
 
 install_debian() {

@@ -49,7 +49,7 @@ class Layers(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def test_every_header_includes_once_and_every_source_has_a_licence(self):
-        for path in sources('include', 'src', 'test'):
+        for path in sources('include', 'src', 'test', 'evaluation', 'benchmark'):
             text = path.read_text()
             self.assertTrue(text.startswith('// SPDX-License-Identifier: BSD-3-Clause'), path)
             if path.suffix == '.h':
@@ -74,7 +74,7 @@ class Metadata(unittest.TestCase):
         cmake = (ROOT / 'CMakeLists.txt').read_text()
         for path in sorted((ROOT / 'msg').glob('*.msg')):
             self.assertIn(path.name, cmake)
-        for path in sources('src', 'test'):
+        for path in sources('src', 'test', 'evaluation', 'benchmark'):
             if path.suffix == '.cpp':
                 lists = (path.parent / 'CMakeLists.txt').read_text()
                 stem = re.sub('_(ros)?test$', '', path.stem)

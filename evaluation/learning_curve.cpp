@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "learning_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/core.hpp>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+
+namespace cabinet_articulation::core::evaluation {
+namespace {
+
+constexpr std::size_t kReferences = 100;
+
+/// `count` of 0 .. size - 1, ascending.
+std::vector<int> randomSelection(int size, int count, cv::RNG* random) {
+  std::vector<int> all(size);
+  std::iota(all.begin(), all.end(), 0);
+  for (int i = 0; i < count; ++i) std::swap(all[i], all[random->uniform(i, size)]);
+  all.resize(count);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
+ArticulationConfig learnerConfig(const TrackSource& source) {
+  ArticulationConfig config;
+  config.use_orientation = source.hasOrientation();
+  return config;
+}
+
+std::string selectedName(const LearnedModel& model) { return model.explained ? modelName(model.type) : "other"; }
+
+bool isRight(const LearnedModel& model, const TrackSource& source) {
+  return source.explainable() ? model.explained && model.type == source.type() : !model.explained;
+}
+
+std::vector<ReferencePose> thinnedReference(const TrackSource& source, std::size_t count) {
+  const std::vector<ReferencePose>& all = source.reference();
+  if (all.size() <= count) return all;
+  std::vector<ReferencePose> thinned;
+  for (std::size_t i = 0; i < count; ++i) thinned.push_back(all[i * (all.size() - 1) / (count - 1)]);
+  return thinned;
+}
+
+std::vector<CurvePoint> learningCurve(const TrackSource& source, int runs, int frames, const std::vector<int>& counts) {
+  const std::vector<ReferencePose> reference = thinnedReference(source, kReferences);
+  const int size = static_cast<int>(source.reference().size());
+  const int picked = std::min(frames, static_cast<int>(std::ceil(0.8 * size)));
+  std::vector<CurvePoint> points;
+  for (int run = 0; run < runs; ++run) {
+    cv::RNG random(run + 1);
+    ArticulationLearner learner(learnerConfig(source));
+    source.observe(randomSelection(size, picked, &random), [&](const Track& track) {
+      const int count = static_cast<int>(track.observations.size());
+      if (std::find(counts.begin(), counts.end(), count) == counts.end()) return;
+      const std::vector<LearnedModel> models = learner.process({track});
+      if (!models.empty()) points.push_back({run, models[0], predictionError(models[0], reference)});
+    });
+  }
+  return points;
+}
+
+UnseenOpening predictUnseen(const TrackSource& source, double share) {
+  constexpr double kFarEnd = 0.9;
+  double farthest = 0;
+  for (const ReferencePose& pose : source.reference()) farthest = std::max(farthest, pose.opened);
+  std::vector<int> seen;
+  std::vector<ReferencePose> far_end;
+  for (std::size_t i = 0; i < source.reference().size(); ++i) {
+    const ReferencePose& pose = source.reference()[i];
+    if (pose.opened >= kFarEnd * farthest) far_end.push_back(pose);
+    if (seen.size() == i && pose.opened <= share * farthest) seen.push_back(static_cast<int>(i));
+  }
+  UnseenOpening result;
+  result.share = share;
+  const ArticulationConfig config = learnerConfig(source);
+  std::optional<Track> track;
+  source.observe(seen, [&](const Track& longer) { track = longer; });
+  if (!track) return result;
+  const std::vector<LearnedModel> selected = ArticulationLearner(config).process({*track});
+  if (selected.empty()) return result;
+  result.selected = selected[0];
+  result.selected_error = predictionError(selected[0], far_end);
+  for (const LearnedModel& model : fitAllModels(*track, config))
+    if (model.type == source.type()) result.true_type_error = predictionError(model, far_end);
+  return result;
+}
+
+}  // namespace cabinet_articulation::core::evaluation

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "track_source.h"
+
+namespace cabinet_articulation::core::evaluation {
+
+/// How far a model's nearest prediction is from where the front really was, in the mean.
+struct PredictionError {
+  double position = 0;     ///< [m] of the centres
+  double orientation = 0;  ///< [rad] the front's eight descriptions count as one
+};
+
+/// The opening of each pose is not given: the prediction nearest to the front's centre counts (paper: the error of the model, not
+/// of q). Openings up to five times those the model has seen are tried.
+PredictionError predictionError(const LearnedModel& model, const std::vector<ReferencePose>& truth);
+
+}  // namespace cabinet_articulation::core::evaluation

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Reproduces the paper's figures: run.sh [--sequences FOLDER] [--tracks FOLDER] [OUT]
+# Writes tables (CSV) and figures (PNG) to OUT (build/figures unless given). Without folders the simulator is all it needs.
+# Builds first if the programs are missing; CABINET_BUILD names another build folder.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(dirname "$here")
+build=${CABINET_BUILD:-$root/build}
+
+sequences= tracks= out=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --sequences | --tracks)
+      [ $# -ge 2 ] || { echo "$1 needs a folder" >&2; exit 1; }
+      [ "$1" = --sequences ] && sequences=$2 || tracks=$2
+      shift 2 ;;
+    -*) sed -n 2,4p "$0" >&2; exit 1 ;;
+    *) out=$1; shift ;;
+  esac
+done
+out=${out:-$build/figures}
+
+programs=$build/devel/lib/cabinet_articulation/evaluation
+[ -x "$programs/fig12_models" ] || "$root/scripts/build.sh" "$build"
+export LD_LIBRARY_PATH=$build/devel/lib:${LD_LIBRARY_PATH:-}
+"$programs/fig03_depth_error" --sequences "$sequences" "$out"
+"$programs/fig11_detection" --sequences "$sequences" "$out"
+"$programs/fig12_models" --sequences "$sequences" --tracks "$tracks" "$out"
+/usr/bin/python3 "$here/plot.py" "$out"

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/tracking/track.h"
+#include "frame_source.h"
+
+namespace cabinet_articulation::core::evaluation {
+
+/// Where a front really was, or the best that is known about it.
+struct ReferencePose {
+  Rectangle rectangle;
+  double opened = 0;  ///< [m] from where it started
+};
+
+/// One moving front that can be observed again and again, each time through another selection of its frames.
+class TrackSource {
+ public:
+  virtual ~TrackSource() = default;
+
+  virtual const std::string& name() const = 0;
+  virtual JointType type() const = 0;    ///< the truth
+  virtual bool explainable() const = 0;  ///< false: moves like no joint type
+  virtual bool hasOrientation() const = 0;
+  virtual const std::vector<ReferencePose>& reference() const = 0;  ///< one for every frame
+
+  /// Shows the frames `picked` (ascending indices into reference()) and calls `visit` with the front's track each time it
+  /// got longer.
+  virtual void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const = 0;
+};
+
+/// A run with images: the detector sees every frame once, the tracker sees the picked ones. The front is the one that
+/// opens farthest; the reference is its true pose in the source's world.
+std::unique_ptr<TrackSource> trackFrames(FrameSource& frames);
+
+/// A log of poses in a text file (3, 7 or 9 columns). The reference is the log itself. `type` is rigid, prismatic,
+/// rotational or other. Throws std::runtime_error for another type or a bad file.
+std::unique_ptr<TrackSource> openPoseLog(const std::string& path, const std::string& name, const std::string& type);
+
+}  // namespace cabinet_articulation::core::evaluation

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <stdexcept>
+
+#include "track_source.h"
+#include "variants.h"
+
+namespace cabinet_articulation::core::evaluation {
+namespace {
+
+constexpr double kSameFront = 0.5;   ///< IoU with the truth from which a track is taken to be the front's
+constexpr double kSamePlace = 0.05;  ///< [m] distance of the centres along the normal
+
+/// Index of the front that opens farthest.
+std::size_t movingFront(const std::vector<Frame>& frames) {
+  std::size_t best = 0;
+  double farthest = 0;
+  for (const Frame& frame : frames)
+    for (std::size_t i = 0; i < frame.fronts.size(); ++i) {
+      if (frame.fronts[i].opened <= farthest) continue;
+      farthest = frame.fronts[i].opened;
+      best = i;
+    }
+  if (farthest == 0) throw std::runtime_error("nothing moves");
+  return best;
+}
+
+class TrackedFrames : public TrackSource {
+ public:
+  explicit TrackedFrames(FrameSource& source) : name_(source.name()) {
+    Pipeline pipeline(ourVariant().config);
+    std::vector<Frame> frames;
+    for (int i = 0; i < source.size(); ++i) {
+      Frame frame = source.frame(i);
+      const PipelineResult seen = pipeline.process(frame.stamp, frame.left, frame.right, source.camera(), frame.T_world_camera);
+      detections_.push_back(transformed(seen.rectangles, frame.T_world_camera));
+      stamps_.push_back(frame.stamp);
+      frame.left.release();
+      frame.right.release();
+      frames.push_back(frame);
+    }
+    const std::size_t front = movingFront(frames);
+    type_ = frames[0].fronts[front].type;
+    for (const Frame& frame : frames) {
+      ReferencePose pose{frame.fronts[front].rectangle, frame.fronts[front].opened};
+      pose.rectangle.pose = frame.T_world_camera * pose.rectangle.pose;
+      reference_.push_back(pose);
+    }
+  }
+
+  const std::string& name() const override { return name_; }
+  JointType type() const override { return type_; }
+  bool explainable() const override { return true; }
+  bool hasOrientation() const override { return true; }
+  const std::vector<ReferencePose>& reference() const override { return reference_; }
+
+  void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const override {
+    RectangleTracker tracker({});
+    for (const int i : picked)
+      if (const Track* track = frontTrack(tracker.process(stamps_[i], detections_[i]), i)) visit(*track);
+  }
+
+ private:
+  /// The track that was continued in frame `index` by what lies over the true front best.
+  const Track* frontTrack(const std::vector<Track>& tracks, int index) const {
+    const Rectangle& truth = reference_[index].rectangle;
+    const Track* best = nullptr;
+    double best_iou = kSameFront;
+    for (const Track& track : tracks) {
+      const TrackedObservation& last = track.observations.back();
+      if (last.stamp != stamps_[index] || std::abs(truth.plane().distance(last.rectangle.center())) > kSamePlace) continue;
+      const double iou = intersectionOverUnion(truth, last.rectangle);
+      if (iou <= best_iou) continue;
+      best = &track;
+      best_iou = iou;
+    }
+    return best;
+  }
+
+  std::string name_;
+  JointType type_;
+  std::vector<double> stamps_;
+  std::vector<std::vector<DetectedRectangle>> detections_;  ///< in the world
+  std::vector<ReferencePose> reference_;
+};
+
+}  // namespace
+
+std::unique_ptr<TrackSource> trackFrames(FrameSource& frames) { return std::make_unique<TrackedFrames>(frames); }
+
+}  // namespace cabinet_articulation::core::evaluation

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each program in the smallest setting that still shows something.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+namespace fs = std::filesystem;
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line + ",");
+  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// Every row must have as many cells as the header.
+std::vector<Row> readTable(const fs::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path;
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> header = split(line);
+  std::vector<Row> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = split(line);
+    EXPECT_EQ(cells.size(), header.size()) << path << ": " << line;
+    Row row;
+    for (std::size_t i = 0; i < std::min(cells.size(), header.size()); ++i) row[header[i]] = cells[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+class ProgramsTest : public testing::Test {
+ protected:
+  ProgramsTest() : out_(fs::temp_directory_path() / ("evaluation_programs_test_" + std::to_string(getpid()))) {}
+  ~ProgramsTest() override { fs::remove_all(out_); }
+
+  int run(const std::string& program, const std::string& arguments) const {
+    return std::system((std::string(PROGRAMS) + "/" + program + " " + arguments + " " + out_.string()).c_str());
+  }
+
+  fs::path out_;
+};
+
+TEST_F(ProgramsTest, DepthError) {
+  ASSERT_EQ(run("fig03_depth_error", "--distances 1"), 0);
+  const std::vector<Row> rows = readTable(out_ / "fig03.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("source"), "simulated_board_white");
+  EXPECT_EQ(rows[0].at("distance_m"), "1");
+  // The paper: 2 mm up to over 1 m.
+  EXPECT_GT(std::stod(rows[0].at("deviation_mm")), 0.1);
+  EXPECT_LT(std::stod(rows[0].at("deviation_mm")), 2);
+  EXPECT_GT(std::stod(rows[0].at("valid_share")), 0.99);
+}
+
+TEST_F(ProgramsTest, Detection) {
+  ASSERT_EQ(run("fig11_detection", "--poses 8 --scenes 0 --failures " + (out_ / "failures").string()), 0);
+  EXPECT_EQ(readTable(out_ / "fig11_frames.csv").size(), 16U);  // ours and the paper's
+  const std::vector<Row> fronts = readTable(out_ / "fig11_fronts.csv");
+  ASSERT_EQ(fronts.size(), 2U);
+  EXPECT_EQ(fronts[0].at("variant"), "ours");
+  EXPECT_EQ(fronts[1].at("variant"), "paper");
+  EXPECT_EQ(fronts[0].at("judged"), "8");
+  EXPECT_GE(std::stod(fronts[0].at("rate")), 0.5);  // some of the eight hang 3 m away
+  int judged = 0;
+  for (const Row& row : readTable(out_ / "fig11.csv")) judged += std::stoi(row.at("judged"));
+  EXPECT_EQ(judged, 16);
+}
+
+TEST_F(ProgramsTest, Models) {
+  fs::create_directories(out_);
+  std::ofstream labels(out_ / "labels.csv");
+  labels << "file,type\nline.txt,prismatic\n";
+  labels.close();
+  std::ofstream log(out_ / "line.txt");
+  for (int i = 0; i < 100; ++i) log << 0.1 + 0.004 * i << " " << 0.002 * (i * 7 % 5) << " 1.5\n";
+  log.close();
+  ASSERT_EQ(run("fig12_models", "--runs 2 --scenes 0 --fronts 5 --tracks " + out_.string()), 0);
+  const std::vector<Row> curve = readTable(out_ / "fig12.csv");
+  ASSERT_FALSE(curve.empty());
+  EXPECT_EQ(curve.back().at("source"), "line.txt");
+  EXPECT_EQ(curve.back().at("observations"), "80");
+  EXPECT_EQ(curve.back().at("right_share"), "1");
+  EXPECT_LT(std::stod(curve.back().at("error_mm_mean")), 5);  // the log wobbles by 8 mm
+  EXPECT_EQ(readTable(out_ / "fig12_unseen.csv").size(), 2U);
+  EXPECT_EQ(readTable(out_ / "fig12_intervals.csv").size(), 5U);
+}
+
+TEST_F(ProgramsTest, RefuseWhatTheyDoNotKnow) {
+  EXPECT_NE(run("fig03_depth_error", "--nonsense 1 2>/dev/null"), 0);
+  EXPECT_NE(run("fig11_detection", "--poses many 2>/dev/null"), 0);
+  EXPECT_NE(run("fig12_models", "--tracks /no/such/folder --scenes 0 2>/dev/null"), 0);
+}
+
+}  // namespace
