@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/rectangles/edge_step.h"
+#include "cabinet_articulation/rectangles/side_face.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -33,13 +34,15 @@ EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const Dept
   const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
   if (!image) return shift;
   const EdgeProfile profile(frame, region, *image);
-  const EdgeStep step = findStep(profile.whole());
+  const double face_slope = sideFaceSlope(chart, frame.camera, region.disparity_plane, rectangle, edge);
+  const EdgeStep step = findStep(profile.whole(), face_slope);
   if (!trusted(step, config)) return shift;
   shift.confirmed = true;
   shift.distance = step.offset * image->metres_per_pixel;
-  const EdgeStep first = findStep(profile.half(0));
-  const EdgeStep second = findStep(profile.half(1));
+  const EdgeStep first = findStep(profile.half(0), face_slope);
+  const EdgeStep second = findStep(profile.half(1), face_slope);
   if (!trusted(first, config) || !trusted(second, config)) return shift;
+  if (first.face != step.face || second.face != step.face) return shift;
   // The edge runs counter-clockwise, so if its second half lies further out the rectangle must turn clockwise.
   const double length = rectangle.side(1 - edgeAxis(edge));
   shift.turn = -(second.offset - first.offset) * image->metres_per_pixel / (kHalfDistance * length);

@@ -36,17 +36,34 @@ TEST(EdgeStepTest, FindsASharpEdge) {
   }
 }
 
-TEST(EdgeStepTest, FindsWhereABodySideBendsAway) {
+TEST(EdgeStepTest, FindsWhereASideFaceBegins) {
   for (const double slope : {-0.1, -0.2, -0.4}) {
-    const EdgeStep step = findStep(profileOf([slope](double x) { return x < -4 ? 0 : slope * (x + 4); }));
+    const EdgeStep step = findStep(profileOf([slope](double x) { return x < -4 ? 0 : slope * (x + 4); }), slope);
     EXPECT_NEAR(step.offset, -4, 1) << slope;
+    EXPECT_TRUE(step.face);
   }
 }
 
-TEST(EdgeStepTest, PrefersTheBendToTheStepBehindIt) {
+TEST(EdgeStepTest, PrefersTheSideFaceToTheStepBehindIt) {
   // The thickness of a door, then the room.
-  const EdgeStep step = findStep(profileOf([](double x) { return x < -2 ? 0 : x < 3 ? -0.25 * (x + 2) : kNone; }));
+  const EdgeStep step = findStep(profileOf([](double x) { return x < -2 ? 0 : x < 3 ? -0.25 * (x + 2) : kNone; }), -0.25);
   EXPECT_NEAR(step.offset, -2, 1);
+  EXPECT_TRUE(step.face);
+}
+
+TEST(EdgeStepTest, SeesNoSideFaceWhereThePlaneGoesOn) {
+  const auto front = profileOf([](double x) { return x < 3 ? 0 : kNone; });
+  for (const double slope : {-0.1, -0.4, -0.9}) {
+    const EdgeStep step = findStep(front, slope);
+    EXPECT_FALSE(step.face) << slope;
+    EXPECT_NEAR(step.offset, 3, 0.5) << slope;
+  }
+}
+
+TEST(EdgeStepTest, TellsANeighbourThatLiesAPixelBehind) {
+  const EdgeStep step = findStep(profileOf([](double x) { return x < 1 ? 0 : -0.8; }));
+  EXPECT_NEAR(step.offset, 1, 1);
+  EXPECT_GT(step.contrast, 1);
 }
 
 TEST(EdgeStepTest, HasNoContrastOnOneSurface) {
