@@ -74,19 +74,19 @@ void PhotometricRefinement::Samples::resize(size_t n) {
 
 PhotometricRefinement::PhotometricRefinement(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
 
-void PhotometricRefinement::process(const DepthFrame& frame, const cv::Mat1f& competitor, RegionSet* set) {
+void PhotometricRefinement::process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set) {
   // Smoothing correlates the noise of neighbours. Without it interpolated pixels are less noisy than others, which draws
   // the estimate towards half disparities.
   cv::GaussianBlur(frame.left, left_, {3, 3}, kBlur, kBlur, cv::BORDER_REPLICATE);
   cv::GaussianBlur(frame.right, right_, {3, 3}, kBlur, kBlur, cv::BORDER_REPLICATE);
   cx_difference_ = frame.camera.cx_difference;
   for (GrownRegion& region : set->regions)
-    if (const auto refined = refine(frame, competitor, region, *set)) region.plane = *refined;
+    if (const auto refined = refine(frame, limit, region, *set)) region.plane = *refined;
 }
 
-std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& frame, const cv::Mat1f& competitor,
+std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& frame, const cv::Mat1f& limit,
                                                             const GrownRegion& region, const RegionSet& set) {
-  takeSamples(frame, competitor, region, set);
+  takeSamples(frame, limit, region, set);
   if (samples_.size() < kLeastPixels) return std::nullopt;
   const DisparityPlane& start = region.plane;
   Estimate e{start.a * scale_, start.b * scale_, start.at(center_u_, center_v_), 0, 1, 0};
@@ -111,7 +111,7 @@ std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& fr
   return plane;
 }
 
-void PhotometricRefinement::takeSamples(const DepthFrame& frame, const cv::Mat1f& competitor, const GrownRegion& region,
+void PhotometricRefinement::takeSamples(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region,
                                         const RegionSet& set) {
   const int step = 1 + region.cells * kCell * kCell / config_.refine_pixels;
   samples_.resize(0);
@@ -122,7 +122,7 @@ void PhotometricRefinement::takeSamples(const DepthFrame& frame, const cv::Mat1f
       const int end = std::min(run.end * kCell, left_.cols - 1);
       int u = std::max(run.begin * kCell, 1) + phase;
       for (; u < end; u += step) {
-        if (std::abs(frame.disparity(v, u) - region.plane.at(u, v)) > competitor(v, u)) continue;
+        if (std::abs(frame.disparity(v, u) - region.plane.at(u, v)) > limit(v, u)) continue;
         samples_.u.push_back(static_cast<float>(u));
         samples_.row.push_back(v);
       }

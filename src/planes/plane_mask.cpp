@@ -3,70 +3,43 @@
 
 #include <cmath>
 
-#include "cabinet_articulation/planes/disparity_tolerance.h"
-
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr float kNoCompetitor = 1e6F;  ///< [px]
-
+/// One image row of a plane: disparity = slope u + start.
 struct RowPlane {
-  float slope, start;  ///< disparity = slope u + start
+  RowPlane(const DisparityPlane& plane, int v) : slope(static_cast<float>(plane.a)), start(static_cast<float>(plane.at(0, v))) {}
+  float at(int u) const { return slope * static_cast<float>(u) + start; }
+  float slope, start;
 };
 
-RowPlane rowOf(const DisparityPlane& plane, int v) { return {static_cast<float>(plane.a), static_cast<float>(plane.at(0, v))}; }
-
 // Selections without branches, so that the loops vectorise. A point in front of the plane has the larger disparity.
-inline int chooseLabel(float disparity, float residual, float tolerance, int in_plane) {
+inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance, int in_plane) {
   const int outside = residual > 0 ? kOccluded : kFree;
   const int label = std::abs(residual) <= tolerance ? in_plane : outside;
-  return isValidDisparity(disparity) ? label : kUnknown;
+  return static_cast<std::uint8_t>(isValidDisparity(disparity) ? label : kUnknown);
 }
 
-__attribute__((target_clones("avx2", "default"))) void labelRow(const float* disparity, const float* competitor, int n,
-                                                                RowPlane plane, DisparityTolerance tolerance, std::uint8_t* out) {
+__attribute__((target_clones("avx2", "default"))) void labelRow(const float* disparity, const float* limit, int n, RowPlane plane,
+                                                                DisparityTolerance tolerance, std::uint8_t* out) {
   for (int u = 0; u < n; ++u) {
-    const float residual = disparity[u] - (plane.slope * u + plane.start);
-    const int in_plane = std::abs(residual) > competitor[u] ? kOtherPlane : kInPlane;
-    out[u] = static_cast<std::uint8_t>(chooseLabel(disparity[u], residual, tolerance.at(disparity[u]), in_plane));
+    const float residual = disparity[u] - plane.at(u);
+    const int in_plane = std::abs(residual) > limit[u] ? kOtherPlane : kInPlane;
+    out[u] = chooseLabel(disparity[u], residual, tolerance.at(disparity[u]), in_plane);
   }
 }
 
 __attribute__((target_clones("avx2", "default"))) void labelRow(const float* disparity, int n, RowPlane plane, float tolerance,
                                                                 std::uint8_t* out) {
-  for (int u = 0; u < n; ++u) {
-    const float residual = disparity[u] - (plane.slope * u + plane.start);
-    out[u] = static_cast<std::uint8_t>(chooseLabel(disparity[u], residual, tolerance * disparity[u], kInPlane));
-  }
-}
-
-__attribute__((target_clones("avx2", "default"))) void competeRow(const float* disparity, int begin, int end, RowPlane plane,
-                                                                  float margin, float* competitor) {
-  for (int u = begin; u < end; ++u)
-    competitor[u] = std::min(competitor[u], std::abs(disparity[u] - (plane.slope * u + plane.start)) + margin);
+  for (int u = 0; u < n; ++u) out[u] = chooseLabel(disparity[u], disparity[u] - plane.at(u), tolerance * disparity[u], kInPlane);
 }
 
 }  // namespace
 
-PlaneMask::PlaneMask(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
-
-void PlaneMask::setFrame(const DepthFrame& frame, const RegionSet& set) {
-  competitor_.create(frame.disparity.size());
-  competitor_.setTo(kNoCompetitor);
-  const float margin = static_cast<float>(config_.other_plane_margin);
-  for (const GrownRegion& region : set.regions)
-    for (int i = region.first_run; i < region.last_run; ++i) {
-      const CellRun& run = set.runs[i];
-      for (int v = run.row * kCell; v < (run.row + 1) * kCell; ++v)
-        competeRow(frame.disparity[v], run.begin * kCell, run.end * kCell, rowOf(region.plane, v), margin, competitor_[v]);
-    }
-}
-
-cv::Mat1b PlaneMask::label(const DepthFrame& frame, const DisparityPlane& plane) const {
-  const DisparityTolerance tolerance(frame.camera, config_.mask_tolerance_px, config_.mask_tolerance_m, config_.tolerance_cap);
-  cv::Mat1b mask(frame.disparity.size());
-  for (int v = 0; v < mask.rows; ++v)
-    labelRow(frame.disparity[v], competitor_[v], mask.cols, rowOf(plane, v), tolerance, mask[v]);
+cv::Mat1b labelByNoise(const cv::Mat1f& disparity, const DisparityPlane& plane, const DisparityTolerance& tolerance,
+                       const cv::Mat1f& limit) {
+  cv::Mat1b mask(disparity.size());
+  for (int v = 0; v < mask.rows; ++v) labelRow(disparity[v], limit[v], mask.cols, RowPlane(plane, v), tolerance, mask[v]);
   return mask;
 }
 
@@ -76,7 +49,7 @@ cv::Mat1b labelByDistance(const DepthFrame& frame, const Plane& plane, double di
   const auto image = toDisparityPlane(plane, frame.camera);
   if (!image) return mask = kUnknown;
   const float tolerance = static_cast<float>(distance / plane.offset);
-  for (int v = 0; v < mask.rows; ++v) labelRow(frame.disparity[v], mask.cols, rowOf(*image, v), tolerance, mask[v]);
+  for (int v = 0; v < mask.rows; ++v) labelRow(frame.disparity[v], mask.cols, RowPlane(*image, v), tolerance, mask[v]);
   return mask;
 }
 

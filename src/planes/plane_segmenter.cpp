@@ -2,12 +2,14 @@
 #include "cabinet_articulation/planes/plane_segmenter.h"
 
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 #include "cabinet_articulation/planes/duplicate_merger.h"
 #include "cabinet_articulation/planes/metric_consensus.h"
 #include "cabinet_articulation/planes/photometric_refinement.h"
 #include "cabinet_articulation/planes/plane_consensus.h"
 #include "cabinet_articulation/planes/plane_mask.h"
+#include "cabinet_articulation/planes/region_competition.h"
 #include "cabinet_articulation/planes/region_growing.h"
 
 namespace cabinet_articulation::core {
@@ -39,17 +41,26 @@ std::vector<cv::Point2f> hullOfInPlane(const cv::Mat1b& mask) {
   return hull;
 }
 
+std::string sizeOf(const cv::Mat& image) { return std::to_string(image.cols) + "x" + std::to_string(image.rows) + " px"; }
+
+void requireSameSizes(const DepthFrame& frame) {
+  if (frame.left.empty() && frame.right.empty()) return;
+  if (frame.left.size() != frame.disparity.size() || frame.right.size() != frame.disparity.size())
+    throw std::invalid_argument("the disparity is " + sizeOf(frame.disparity) + ", the left image " + sizeOf(frame.left) +
+                                " and the right image " + sizeOf(frame.right) + ", expected one size, or no images at all");
+}
+
 }  // namespace
 
 struct PlaneSegmenter::Buffers {
   explicit Buffers(const PlanesConfig& config)
-      : metric_consensus(config), consensus(config), growing(config), merger(config), refinement(config), mask(config) {}
+      : metric_consensus(config), consensus(config), growing(config), merger(config), competition(config), refinement(config) {}
   MetricConsensus metric_consensus;
   PlaneConsensus consensus;
   RegionGrowing growing;
   DuplicateMerger merger;
+  RegionCompetition competition;
   PhotometricRefinement refinement;
-  PlaneMask mask;
 };
 
 PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), buffers_(new Buffers(config)) {}
@@ -57,26 +68,30 @@ PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), bu
 PlaneSegmenter::~PlaneSegmenter() = default;
 
 std::vector<PlaneRegion> PlaneSegmenter::process(const DepthFrame& frame) {
+  requireSameSizes(frame);
   return config_.method == "paper" ? wholePlanes(frame) : connectedRegions(frame);
 }
 
 std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& frame) {
-  const std::vector<DisparityPlane> planes = buffers_->consensus.process(frame);
-  RegionSet& set = buffers_->growing.process(frame, planes);
-  buffers_->merger.process(frame.disparity.size(), &set);
-  if (config_.refine && !frame.left.empty() && !frame.right.empty()) {
-    buffers_->mask.setFrame(frame, set);
-    buffers_->refinement.process(frame, buffers_->mask.competitor(), &set);
-    buffers_->merger.process(frame.disparity.size(), &set);
+  const cv::Mat1f& disparity = frame.disparity;
+  Buffers& b = *buffers_;
+  RegionSet& set = b.growing.process(frame, b.consensus.process(frame));
+  b.merger.process(disparity.size(), &set);
+  b.growing.trim(b.competition.process(disparity, set));
+  b.merger.process(disparity.size(), &set);
+  if (config_.refine && !frame.left.empty()) {
+    b.refinement.process(frame, b.competition.process(disparity, set), &set);
+    b.merger.process(disparity.size(), &set);
   }
-  buffers_->mask.setFrame(frame, set);
 
   std::vector<PlaneRegion> regions;
+  const cv::Mat1f& limit = b.competition.process(disparity, set);
+  const DisparityTolerance tolerance(frame.camera, config_.mask_tolerance_px, config_.mask_tolerance_m, config_.tolerance_cap);
   for (const GrownRegion& grown : set.regions) {
     const auto plane = toPlane(grown.plane, frame.camera);
     if (!plane) continue;
-    regions.push_back(
-        {*plane, grown.plane, grown.cells * kCell * kCell, hullOf(grown, set), buffers_->mask.label(frame, grown.plane)});
+    regions.push_back({*plane, grown.plane, grown.cells * kCell * kCell, hullOf(grown, set),
+                       labelByNoise(disparity, grown.plane, tolerance, limit)});
   }
   return regions;
 }

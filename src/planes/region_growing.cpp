@@ -27,17 +27,41 @@ RegionSet& RegionGrowing::process(const DepthFrame& frame, const std::vector<Dis
   set_.regions.clear();
   set_.runs.clear();
   shrinkDisparity(frame.disparity);
+  if (disparity_.empty()) return set_;
   for (const DisparityPlane& plane : planes) {
     markInPlane(plane, frame.camera);
-    cv::erode(in_plane_, eroded_, cv::Mat());
-    cores_.process(eroded_);
-    for (const ConnectedRuns::Component& core : cores_.components()) {
-      if (core.cells * kCell * kCell < config_.min_region) continue;
-      set_.regions.push_back(growBack(core));
-      set_.regions.back().plane = fitPlane(core).value_or(plane);
-    }
+    addComponents(plane);
   }
   return set_;
+}
+
+RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
+  std::swap(set_, untrimmed_);
+  set_.regions.clear();
+  set_.runs.clear();
+  for (const GrownRegion& region : untrimmed_.regions) {
+    in_plane_.setTo(0);
+    for (int i = region.first_run; i < region.last_run; ++i) {
+      const CellRun& run = untrimmed_.runs[i];
+      for (int col = run.begin; col < run.end; ++col) {
+        const double residual = region.plane.at(col * kCell, run.row * kCell) - disparity_(run.row, col);
+        if (std::abs(residual) <= limit(run.row * kCell, col * kCell)) in_plane_(run.row, col) = 255;
+      }
+    }
+    addComponents(region.plane);
+  }
+  return set_;
+}
+
+/// The connected regions among the cells marked.
+void RegionGrowing::addComponents(const DisparityPlane& plane) {
+  cv::erode(in_plane_, eroded_, cv::Mat());
+  cores_.process(eroded_);
+  for (const ConnectedRuns::Component& core : cores_.components()) {
+    if (core.cells * kCell * kCell < config_.min_region) continue;
+    set_.regions.push_back(growBack(core));
+    set_.regions.back().plane = fitPlane(core).value_or(plane);
+  }
 }
 
 void RegionGrowing::shrinkDisparity(const cv::Mat1f& disparity) {

@@ -120,6 +120,17 @@ TEST(PlaneSegmenter, PaperMethodLabelsWholePlanesByTheirDistance) {
   EXPECT_GE(cv::pointPolygonTest(wall->hull, cv::Point2f(450, 220), false), 0);
 }
 
+TEST(PlaneSegmenter, ImagesOfAnotherSizeAreNamed) {
+  DepthFrame frame = stereoFrame();
+  frame.right = frame.right.colRange(0, 320);
+  try {
+    PlaneSegmenter(PlanesConfig()).process(frame);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("320x480"), std::string::npos) << error.what();
+  }
+}
+
 TEST(PlaneSegmenter, WithoutDepthThereAreNoRegions) {
   DepthFrame frame;
   frame.camera = testCamera();

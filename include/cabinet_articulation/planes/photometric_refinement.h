@@ -24,8 +24,8 @@ class PhotometricRefinement {
 
   /// Replaces the planes of `set`. A region keeps its plane if it has too few pixels or too little texture, or if the
   /// result would lie further than `refine_max_shift` from it anywhere in the region. Pixels whose residual exceeds
-  /// `competitor` [px] belong to another surface and are not used.
-  void process(const DepthFrame& frame, const cv::Mat1f& competitor, RegionSet* set);
+  /// `limit` [px, for each pixel] belong to another surface and are not used.
+  void process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set);
 
  private:
   /// disparity = a x + b y + c in the samples' coordinates.
@@ -43,9 +43,9 @@ class PhotometricRefinement {
   };
   struct Step;
 
-  std::optional<DisparityPlane> refine(const DepthFrame& frame, const cv::Mat1f& competitor, const GrownRegion& region,
+  std::optional<DisparityPlane> refine(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region,
                                        const RegionSet& set);
-  void takeSamples(const DepthFrame& frame, const cv::Mat1f& competitor, const GrownRegion& region, const RegionSet& set);
+  void takeSamples(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region, const RegionSet& set);
   void describeSamples(size_t n);
   void warp(const Estimate& estimate);
   float noise();

@@ -15,11 +15,11 @@ enum Label : std::uint8_t { kFree = 0, kUnknown = 64, kOtherPlane = 128, kOcclud
 
 /// One connected region of one plane. Masks of different regions overlap.
 struct PlaneRegion {
-  Plane plane;                       ///< in the left optical frame
-  DisparityPlane disparity_plane;    ///< the same plane in the image
-  int inliers = 0;                   ///< [px] size of the connected region
-  std::vector<cv::Point2f> hull;     ///< [px] convex hull of the connected region
-  cv::Mat1b mask;                    ///< a Label for every pixel of the left image
+  Plane plane;                     ///< in the left optical frame
+  DisparityPlane disparity_plane;  ///< the same plane in the image
+  int inliers = 0;                 ///< [px] size of the connected region
+  std::vector<cv::Point2f> hull;   ///< [px] convex hull of the connected region
+  cv::Mat1b mask;                  ///< a Label for every pixel of the left image
 };
 
 }  // namespace cabinet_articulation::core

@@ -16,7 +16,8 @@ class PlaneSegmenter {
   explicit PlaneSegmenter(const PlanesConfig& config);
   ~PlaneSegmenter();
 
-  /// An empty or all-invalid disparity gives no regions. The same frame gives the same regions, whatever came before.
+  /// The regions, largest first. An empty or all-invalid disparity gives none. The same frame gives the same regions,
+  /// whatever came before. Throws std::invalid_argument if there are images of another size than the disparity.
   std::vector<PlaneRegion> process(const DepthFrame& frame);
 
  private:

@@ -37,14 +37,18 @@ class RegionGrowing {
   /// Regions of at least `min_region` pixels, in the order of the planes. Valid until the next call.
   RegionSet& process(const DepthFrame& frame, const std::vector<DisparityPlane>& planes);
 
+  /// The last result without the cells whose residual exceeds `limit` [px, for each pixel of the image], and refitted.
+  RegionSet& trim(const cv::Mat1f& limit);
+
  private:
+  void addComponents(const DisparityPlane& plane);
   void shrinkDisparity(const cv::Mat1f& disparity);
   void markInPlane(const DisparityPlane& plane, const StereoCamera& camera);
   std::optional<DisparityPlane> fitPlane(const ConnectedRuns::Component& core) const;
   GrownRegion growBack(const ConnectedRuns::Component& core);
 
   PlanesConfig config_;
-  RegionSet set_;
+  RegionSet set_, untrimmed_;
   ConnectedRuns cores_;
   cv::Mat1f disparity_;  ///< one value for each cell
   cv::Mat1b in_plane_, eroded_, grown_;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/planes/region_competition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr float kNoLimit = 1e6F;  ///< [px]
+
+__attribute__((target_clones("avx2", "default"))) void competeRow(const float* disparity, int begin, int end, float slope,
+                                                                  float start, float margin, float* limit) {
+  for (int u = begin; u < end; ++u) {
+    const float residual = disparity[u] - (slope * static_cast<float>(u) + start);
+    limit[u] = std::min(limit[u], std::abs(residual) + margin);
+  }
+}
+
+}  // namespace
+
+RegionCompetition::RegionCompetition(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
+
+const cv::Mat1f& RegionCompetition::process(const cv::Mat1f& disparity, const RegionSet& set) {
+  limit_.create(disparity.size());
+  limit_.setTo(kNoLimit);
+  const float margin = static_cast<float>(config_.other_plane_margin);
+  for (const GrownRegion& region : set.regions)
+    for (int i = region.first_run; i < region.last_run; ++i) {
+      const CellRun& run = set.runs[i];
+      for (int v = run.row * kCell; v < (run.row + 1) * kCell; ++v)
+        competeRow(disparity[v], run.begin * kCell, run.end * kCell, static_cast<float>(region.plane.a),
+                   static_cast<float>(region.plane.at(0, v)), margin, limit_[v]);
+    }
+  return limit_;
+}
+
+}  // namespace cabinet_articulation::core
