@@ -9,14 +9,15 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kBlur = 0.5;         ///< [px]
-constexpr size_t kLeastPixels = 100;  ///< six unknowns from fewer pixels are noise
-constexpr float kHuber = 2;           ///< [sigma] residuals beyond count linearly
-constexpr float kReject = 4;          ///< [sigma] and beyond this not at all
-constexpr float kLeastSigma = 0.5F;   ///< [grey levels] quantisation
-constexpr size_t kNoisePixels = 512;  ///< enough for a median
-constexpr double kMaxRowShift = 2;    ///< [px] a worse rectification is no business of ours
-constexpr double kConverged = 2e-3;   ///< [px]
+constexpr double kBlur = 0.5;          ///< [px]
+constexpr size_t kLeastPixels = 100;   ///< six unknowns from fewer pixels are noise
+constexpr float kHuber = 2;            ///< [sigma] residuals beyond count linearly
+constexpr float kReject = 4;           ///< [sigma] and beyond this not at all
+constexpr float kLeastSigma = 0.5F;    ///< [grey levels] quantisation
+constexpr size_t kNoisePixels = 512;   ///< enough for a median
+constexpr double kMaxRowShift = 2;     ///< [px] a worse rectification is no business of ours
+constexpr double kConverged = 2e-3;    ///< [px]
+constexpr double kMaxDeviation = 0.2;  ///< [px] block matching knows it better than that
 
 constexpr int kUnknowns = 6;
 constexpr int kProducts = kUnknowns * (kUnknowns + 1) / 2;
@@ -64,6 +65,7 @@ double largestShift(const GrownRegion& region, const RegionSet& set, const Dispa
 
 struct PhotometricRefinement::Step {
   Eigen::Matrix<double, kUnknowns, 1> value;  ///< a, b, c, row_shift, gain, offset
+  double deviation;                           ///< [px] standard deviation of the worst of a, b and c
 };
 
 void PhotometricRefinement::Samples::resize(size_t n) {
@@ -93,7 +95,7 @@ std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& fr
   for (int iteration = 0; iteration < config_.refine_iterations; ++iteration) {
     warp(e);
     const auto change = step(e.gain, noise());
-    if (!change) return std::nullopt;
+    if (!change || !(change->deviation <= kMaxDeviation)) return std::nullopt;
     const auto& delta = change->value;
     e.a += delta[0];
     e.b += delta[1];
@@ -224,9 +226,10 @@ std::optional<PhotometricRefinement::Step> PhotometricRefinement::step(double ga
     gradient[k] = total(sums[kProducts + k]);
   }
   const Eigen::LDLT<Eigen::Matrix<double, kUnknowns, kUnknowns>> ldlt(normal);
-  Step result{-ldlt.solve(gradient)};
-  if (ldlt.info() != Eigen::Success || !ldlt.isPositive() || !result.value.allFinite()) return std::nullopt;
-  return result;
+  if (ldlt.info() != Eigen::Success || !(ldlt.vectorD().minCoeff() > 0)) return std::nullopt;
+  const Eigen::Matrix<double, kUnknowns, 3> plane_columns = ldlt.solve(Eigen::Matrix<double, kUnknowns, 3>::Identity());
+  const double variance = plane_columns.topRows<3>().diagonal().maxCoeff();
+  return Step{-ldlt.solve(gradient), sigma * std::sqrt(variance)};
 }
 
 }  // namespace cabinet_articulation::core

@@ -100,6 +100,16 @@ TEST(PhotometricRefinement, WithoutTextureThePlaneStays) {
   EXPECT_EQ(plane.c, kStart.c);
 }
 
+TEST(PhotometricRefinement, NoiseIsNoTexture) {
+  Scene scene;
+  cv::RNG random(1);
+  for (cv::Mat1b* image : {&scene.frame.left, &scene.frame.right}) {
+    *image = cv::Mat1b(kSize);
+    random.fill(*image, cv::RNG::NORMAL, 90, 1);
+  }
+  EXPECT_EQ(scene.refined().c, kStart.c);
+}
+
 TEST(PhotometricRefinement, AResultThatMovesTooFarIsRejected) {
   PlanesConfig config;
   config.refine_max_shift = 0.3;

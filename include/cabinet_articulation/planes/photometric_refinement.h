@@ -22,8 +22,8 @@ class PhotometricRefinement {
  public:
   explicit PhotometricRefinement(const PlanesConfig& config);
 
-  /// Replaces the planes of `set`. A region keeps its plane if it has too few pixels or too little texture, or if the
-  /// result would lie further than `refine_max_shift` from it anywhere in the region. Pixels whose residual exceeds
+  /// Replaces the planes of `set`. A region keeps its plane if its pixels tell less about it than block matching did, or if
+  /// the result would lie further than `refine_max_shift` from it anywhere in the region. Pixels whose residual exceeds
   /// `limit` [px, for each pixel] belong to another surface and are not used.
   void process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set);
 
