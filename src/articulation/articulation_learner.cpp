@@ -7,14 +7,6 @@
 
 namespace cabinet_articulation::core {
 
-Eigen::Isometry3d LearnedModel::predict(double at) const {
-  Eigen::Isometry3d pose = origin;
-  if (type == JointType::kPrismatic) pose.pretranslate(at * axis);
-  if (type == JointType::kRotational)
-    pose = Eigen::Translation3d(axis_point) * Eigen::AngleAxisd(at, axis) * Eigen::Translation3d(-axis_point) * origin;
-  return pose;
-}
-
 struct ArticulationLearner::State {
   struct Entry {
     explicit Entry(const ArticulationConfig& config) : learner(config) {}

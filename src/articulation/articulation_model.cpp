@@ -117,6 +117,15 @@ double ArticulationModel::logLikelihood(const PoseTrack& track, const ModelResid
   return sum - 3 * std::log(spread) * static_cast<double>(costs.size()) - sumWithoutExceptions(costs);  // Eq. (10)
 }
 
+Matrix6d pointCovariance(double position_variance, double orientation_variance, const Eigen::Vector3d& lever) {
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+  covariance.topLeftCorner<3, 3>() =
+      position_variance * identity + orientation_variance * (lever.squaredNorm() * identity - lever * lever.transpose());
+  covariance.bottomRightCorner<3, 3>() = orientation_variance * identity;
+  return covariance;
+}
+
 void appendParam(const std::string& name, const Eigen::Vector3d& value, std::vector<ModelParam>* params) {
   params->push_back({name + ".x", value.x(), ModelParam::kParam});
   params->push_back({name + ".y", value.y(), ModelParam::kParam});

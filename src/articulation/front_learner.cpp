@@ -35,9 +35,9 @@ const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
 /// A hinge lies in the front's plane or close to it. Planes that touch a bottle or an arm here and there turn about an axis
 /// that lies behind them.
 bool isTouchingSomethingRound(const Candidate& candidate, const Eigen::Isometry3d& T_reference_center) {
-  if (candidate.model->type() != JointType::kRotational) return false;
-  const Eigen::Isometry3d center = candidate.model->predict(0) * T_reference_center;
   const JointGeometry geometry = candidate.model->geometry();
+  if (geometry.radius == 0) return false;
+  const Eigen::Isometry3d center = candidate.model->predict(0) * T_reference_center;
   Eigen::Vector3d to_axis = geometry.axis_point - center.translation();
   to_axis -= geometry.axis * geometry.axis.dot(to_axis);
   const double across = std::abs(center.linear().col(2).dot(to_axis));
@@ -65,6 +65,23 @@ void FrontLearner::createModels() {
     if (config_.*entry.enabled) models_.push_back(entry.create(config_));
 }
 
+void FrontLearner::fitModels(const PoseTrack& track, bool parametric) {
+  for (const auto& model : models_)
+    if (model->isParametric() == parametric && model->fit(track))
+      candidates_.push_back(evaluateCandidate(model.get(), track, config_));
+}
+
+void FrontLearner::compareSequences(const PoseTrack& track) {
+  std::optional<double> rival;
+  for (Candidate& candidate : candidates_) {
+    if (!candidate.model->moves()) continue;
+    const double parameters = candidate.model->complexity(track.has_orientation);
+    const double likelihood = candidate.model->sequenceLogLikelihood(track, rival);
+    candidate.evidence = likelihood - 0.5 * parameters * std::log(static_cast<double>(track.size()));
+    rival = std::max(rival.value_or(likelihood), likelihood);
+  }
+}
+
 bool FrontLearner::update(const Track& track) {
   if (!observations_.update(track)) return false;
   chooseReference(track);
@@ -74,19 +91,8 @@ bool FrontLearner::update(const Track& track) {
   front_.height = track.height;
   const PoseTrack spaced = thinned(poses_, static_cast<std::size_t>(config_.poses_max));
   candidates_.clear();
-  for (const auto& model : models_) {
-    if (!model->fit(spaced)) continue;
-    candidates_.push_back(evaluateCandidate(model.get(), spaced, config_));
-  }
-  const PoseTrack sequence = fromFirstExplained(poses_, candidates_, 3 * config_.sigma_position);
-  std::optional<double> rival;
-  for (Candidate& candidate : candidates_) {
-    if (!candidate.model->moves()) continue;
-    const double parameters = candidate.model->complexity(sequence.has_orientation);
-    const double likelihood = candidate.model->sequenceLogLikelihood(sequence, rival);
-    candidate.evidence = likelihood - 0.5 * parameters * std::log(static_cast<double>(sequence.size()));
-    rival = std::max(rival.value_or(likelihood), likelihood);
-  }
+  fitModels(spaced, true);
+  compareSequences(fromFirstExplained(poses_, candidates_, 3 * config_.sigma_position));
   if (candidates_.empty()) return false;
   MotionThreshold threshold = motionThreshold(track, poses_, config_);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
@@ -94,6 +100,7 @@ bool FrontLearner::update(const Track& track) {
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
   if (moving && is_rectangle && isTouchingSomethingRound(*moving, T_reference_center)) threshold = kNeverMotion;
+  if (!moving || moving->outlier_share > config_.outlier_share_max) fitModels(spaced, false);
   selection_ = selectModel(&candidates_, spaced, threshold, config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;
@@ -124,7 +131,9 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
   learned.origin.translate(-reference_.offset(front_.width, front_.height));
   const JointGeometry geometry = model.geometry();
   learned.axis = geometry.axis;
-  if (model.type() == JointType::kRotational) {
+  learned.curve = model.curve(residuals.q_min, residuals.q_max);
+  for (Eigen::Isometry3d& pose : learned.curve) pose.translate(-reference_.offset(front_.width, front_.height));
+  if (geometry.radius > 0) {
     const Eigen::Vector3d away = learned.origin.translation() - geometry.axis_point;
     learned.axis_point = geometry.axis_point + geometry.axis * geometry.axis.dot(away);
     learned.radius = (learned.origin.translation() - learned.axis_point).norm();

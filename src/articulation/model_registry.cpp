@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/model_registry.h"
 
+#include "cabinet_articulation/articulation/nonparametric_model.h"
 #include "cabinet_articulation/articulation/prismatic_model.h"
 #include "cabinet_articulation/articulation/rigid_model.h"
 #include "cabinet_articulation/articulation/rotational_model.h"
@@ -9,21 +10,25 @@ namespace cabinet_articulation::core {
 namespace {
 
 template <class Model>
-std::unique_ptr<ArticulationModel> create(const ArticulationConfig& config) {
-  return std::make_unique<Model>(config);
+ModelEntry entry(const char* name, bool ArticulationConfig::*enabled) {
+  const auto create = [](const ArticulationConfig& config) -> std::unique_ptr<ArticulationModel> {
+    return std::make_unique<Model>(config);
+  };
+  return {Model::kType, name, enabled, create, Model::kUnit, Model::predictLearned, Model::configurationOfLearned};
 }
 
 }  // namespace
 
 const std::vector<ModelEntry>& modelRegistry() {
   static const std::vector<ModelEntry> registry{
-      {JointType::kRigid, "rigid", &ArticulationConfig::rigid, create<RigidModel>},
-      {JointType::kPrismatic, "prismatic", &ArticulationConfig::prismatic, create<PrismaticModel>},
-      {JointType::kRotational, "rotational", &ArticulationConfig::rotational, create<RotationalModel>},
+      entry<RigidModel>("rigid", &ArticulationConfig::rigid),
+      entry<PrismaticModel>("prismatic", &ArticulationConfig::prismatic),
+      entry<RotationalModel>("rotational", &ArticulationConfig::rotational),
+      entry<NonparametricModel>("nonparametric", &ArticulationConfig::nonparametric),
   };
   return registry;
 }
 
-const char* modelName(JointType type) { return modelRegistry().at(static_cast<std::size_t>(type)).name; }
+const ModelEntry& modelEntry(JointType type) { return modelRegistry().at(static_cast<std::size_t>(type)); }
 
 }  // namespace cabinet_articulation::core

@@ -65,6 +65,14 @@ bool isMotion(const Candidate& candidate, const PoseTrack& track, const MotionTh
   return angle >= std::max(threshold.angle, turn_spread);
 }
 
+/// [nats] Log of the odds of a model against a simpler one, for residuals of which only as many count as are independent.
+double advantage(const Candidate& candidate, const Candidate& simpler, const PoseTrack& track) {
+  const double independent = (1 - candidate.correlation) / (1 + candidate.correlation);
+  const int parameters = candidate.model->complexity(track.has_orientation) - simpler.model->complexity(track.has_orientation);
+  return independent * (candidate.log_likelihood - simpler.log_likelihood) -
+         0.5 * parameters * std::log(std::max(1.0, independent * static_cast<double>(track.size())));
+}
+
 }  // namespace
 
 Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, const ArticulationConfig& config) {
@@ -83,39 +91,45 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
                       const ArticulationConfig& config) {
   Selection selection;
   selection.probabilities.assign(modelRegistry().size(), 0);
-  const double n = static_cast<double>(track.size());
   const Candidate* still = nullptr;
   const Candidate* moving = nullptr;
+  const Candidate* free = nullptr;
   for (Candidate& candidate : *candidates) {
     if (!candidate.model->moves()) {
       still = &candidate;
-      continue;
+    } else if (!candidate.model->isParametric()) {
+      free = &candidate;
+    } else {
+      const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= config.turn_min);
+      if (moving && !bends) candidate.evidence = std::min(candidate.evidence, moving->evidence);
+      if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
     }
-    const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= config.turn_min);
-    if (moving && !bends) candidate.evidence = std::min(candidate.evidence, moving->evidence);
-    if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
   }
-  double moved = moving ? 1 : 0;
-  if (still && moving) {
-    const double independent = n * (1 - moving->correlation) / (1 + moving->correlation);
-    const int parameters = moving->model->complexity(track.has_orientation) - still->model->complexity(track.has_orientation);
-    const double difference = independent / n * (moving->log_likelihood - still->log_likelihood) -
-                              0.5 * parameters * std::log(std::max(1.0, independent));
-    moved = logistic(difference);
-    if (!isMotion(*moving, track, threshold, config)) moved = std::min(moved, 0.5);
+  if (!moving) std::swap(moving, free);
+  const bool open = free && moving->outlier_share > config.outlier_share_max;
+  const double beyond = open ? logistic(advantage(*free, *moving, track)) : 0;
+  const Candidate* best = beyond > 0.5 ? free : moving;
+  double moved = best ? 1 : 0;
+  if (still && best) {
+    moved = logistic(advantage(*best, *still, track));
+    if (!isMotion(*best, track, threshold, config)) moved = std::min(moved, 0.5);
   }
-  if (still) selection.probabilities[static_cast<std::size_t>(still->model->type())] = 1 - moved;
-  double sum = 0;
-  for (const Candidate& candidate : *candidates)
-    if (candidate.model->moves()) sum += std::exp(candidate.evidence - moving->evidence);
-  for (const Candidate& candidate : *candidates)
-    if (candidate.model->moves())
-      selection.probabilities[static_cast<std::size_t>(candidate.model->type())] =
-          moved * std::exp(candidate.evidence - moving->evidence) / sum;
-  selection.moved = moving && moved > 0.5;
-  const Candidate* best = selection.moved ? moving : still;
+  selection.moved = best && moved > 0.5;
+  selection.explained = !selection.moved || best->outlier_share <= config.outlier_share_max;
+  if (!selection.moved && still) best = still;
   if (best) selection.best = static_cast<std::size_t>(best - candidates->data());
-  selection.explained = !selection.moved || moving->outlier_share <= config.outlier_share_max;
+  const auto probability = [&selection](const Candidate& candidate) -> double& {
+    return selection.probabilities[static_cast<std::size_t>(candidate.model->type())];
+  };
+  const auto share = [moving, free](const Candidate& candidate) {
+    return candidate.model->moves() && &candidate != free ? std::exp(candidate.evidence - moving->evidence) : 0;
+  };
+  if (still) probability(*still) = 1 - moved;
+  if (free) probability(*free) = moved * beyond;
+  double sum = 0;
+  for (const Candidate& candidate : *candidates) sum += share(candidate);
+  for (const Candidate& candidate : *candidates)
+    if (share(candidate) > 0) probability(candidate) = moved * (1 - beyond) * share(candidate) / sum;
   return selection;
 }
 

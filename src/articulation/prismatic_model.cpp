@@ -28,4 +28,12 @@ std::vector<ModelParam> PrismaticModel::parameters() const {
   return params;
 }
 
+Eigen::Isometry3d PrismaticModel::predictLearned(const LearnedModel& model, double q) {
+  return Eigen::Translation3d(q * model.axis) * model.origin;
+}
+
+double PrismaticModel::configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front) {
+  return model.axis.dot(front.translation() - model.origin.translation());
+}
+
 }  // namespace cabinet_articulation::core

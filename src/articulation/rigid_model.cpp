@@ -65,16 +65,7 @@ Matrix6d RigidModel::covariance(const PoseTrack& track, const Eigen::Vector3d& p
   }
   const double inflation = config_.covariance_factor * (1 + correlation) / (1 - correlation) / n;
   const double floor = config_.sigma_position_floor * config_.sigma_position_floor;
-  const double position_variance = inflation * (position / n + floor);
-  const double orientation_variance = inflation * orientation / n;
-  Matrix6d covariance = Matrix6d::Zero();
-  // A point away from the observed one is moved by the orientation's error, too.
-  const Eigen::Vector3d lever = p - pose_.translation();
-  covariance.topLeftCorner<3, 3>() =
-      position_variance * Eigen::Matrix3d::Identity() +
-      orientation_variance * (lever.squaredNorm() * Eigen::Matrix3d::Identity() - lever * lever.transpose());
-  covariance.bottomRightCorner<3, 3>() = orientation_variance * Eigen::Matrix3d::Identity();
-  return covariance;
+  return pointCovariance(inflation * (position / n + floor), inflation * orientation / n, p - pose_.translation());
 }
 
 std::vector<ModelParam> RigidModel::parameters() const {
@@ -83,5 +74,9 @@ std::vector<ModelParam> RigidModel::parameters() const {
   appendParam("rigid_orientation", Eigen::Quaterniond(pose_.linear()), &params);
   return params;
 }
+
+Eigen::Isometry3d RigidModel::predictLearned(const LearnedModel& model, double) { return model.origin; }
+
+double RigidModel::configurationOfLearned(const LearnedModel&, const Eigen::Isometry3d&) { return 0; }
 
 }  // namespace cabinet_articulation::core

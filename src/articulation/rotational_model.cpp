@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/rotational_model.h"
 
+#include <cmath>
+
 namespace cabinet_articulation::core {
+namespace {
+
+/// What a front's place says about q against its turn: 3 mm weigh as much as 0.1 rad.
+constexpr double kMetresPerRadian = 0.03;
+
+}  // namespace
 
 JointGeometry RotationalModel::geometry() const { return {arc_.axis(), arc_.center(), arc_.radius()}; }
 
@@ -33,6 +41,23 @@ std::vector<ModelParam> RotationalModel::parameters() const {
   appendParam("rot_orientation", Eigen::Quaterniond(frame.transpose() * origin.linear()), &params);
   params.push_back({"rot_mode", 0, ModelParam::kParam});
   return params;
+}
+
+Eigen::Isometry3d RotationalModel::predictLearned(const LearnedModel& model, double q) {
+  const Eigen::Translation3d to_axis(model.axis_point);
+  return to_axis * Eigen::AngleAxisd(q, model.axis) * to_axis.inverse() * model.origin;
+}
+
+double RotationalModel::configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front) {
+  const Eigen::Vector3d from = model.origin.translation() - model.axis_point, to = front.translation() - model.axis_point;
+  const double by_place = std::atan2(model.axis.dot(from.cross(to)), from.dot(to) - model.axis.dot(from) * model.axis.dot(to));
+  const Eigen::Quaterniond turned(front.linear() * model.origin.linear().transpose());
+  const double by_turn = 2 * std::atan2(turned.vec().dot(model.axis), turned.w());
+  // A front close to its axis hardly changes its place, but turns all the same.
+  const double share = kMetresPerRadian * kMetresPerRadian / (kMetresPerRadian * kMetresPerRadian + from.squaredNorm());
+  const double middle = (model.q_min + model.q_max) / 2;
+  const double q = by_place + share * std::remainder(by_turn - by_place, 2 * M_PI);
+  return middle + std::remainder(q - middle, 2 * M_PI);
 }
 
 }  // namespace cabinet_articulation::core

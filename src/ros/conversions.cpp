@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cabinet_articulation/articulation/model_registry.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
@@ -147,6 +148,7 @@ ArticulationModel toMessage(const core::LearnedModel& model, const std::string& 
   message.q = model.q;
   message.q_min = model.q_min;
   message.q_max = model.q_max;
+  for (const Eigen::Isometry3d& pose : model.curve) message.curve.push_back(toMessage(pose));
   message.width = model.width;
   message.height = model.height;
   message.covariance = toMessage(model.covariance);
@@ -164,9 +166,9 @@ ArticulationModel toMessage(const core::LearnedModel& model, const std::string& 
 }
 
 core::LearnedModel fromMessage(const ArticulationModel& message) {
-  if (message.type > ArticulationModel::ROTATIONAL)
-    throw std::invalid_argument("type is " + std::to_string(message.type) +
-                                ", expected 0 (rigid), 1 (prismatic) or 2 (rotational)");
+  if (message.type >= core::modelRegistry().size())
+    throw std::invalid_argument("type is " + std::to_string(message.type) + ", expected less than " +
+                                std::to_string(core::modelRegistry().size()));
   core::LearnedModel model;
   model.id = message.id;
   model.stamp = message.header.stamp.toSec();
@@ -181,6 +183,7 @@ core::LearnedModel fromMessage(const ArticulationModel& message) {
   model.q = message.q;
   model.q_min = message.q_min;
   model.q_max = message.q_max;
+  for (const geometry_msgs::Pose& pose : message.curve) model.curve.push_back(fromMessage(pose));
   model.width = message.width;
   model.height = message.height;
   model.covariance = fromMessage(message.covariance);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/articulation/model_registry.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -31,18 +33,18 @@ std::string jointPrefix(const std::string& ros_namespace) {
 }
 
 Eigen::Isometry3d jointBase(const core::LearnedModel& model) {
-  const bool rotational = model.type == core::JointType::kRotational;
+  const bool turns = core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian;
   const Eigen::Vector3d z = model.axis.normalized();
-  // x towards the front (rotational) or along its width, as far as that is perpendicular to the axis.
+  // x towards the front (where it turns) or along its width, as far as that is perpendicular to the axis.
   Eigen::Vector3d x = model.origin.linear().col(0);
-  if (rotational) x = model.origin.translation() - model.axis_point;
+  if (turns) x = model.origin.translation() - model.axis_point;
   x -= z * z.dot(x);
   if (x.norm() < 1e-6) x = z.unitOrthogonal();
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear().col(0) = x.normalized();
   T.linear().col(1) = z.cross(x.normalized());
   T.linear().col(2) = z;
-  T.translation() = rotational ? model.axis_point : Eigen::Vector3d(model.origin.translation());
+  T.translation() = turns ? model.axis_point : Eigen::Vector3d(model.origin.translation());
   return T;
 }
 

@@ -47,6 +47,10 @@ void addJoint(const core::LearnedModel& model, const std_msgs::Header& header, v
   arrow.scale.y = 2 * kAxisRadius;
   markers->markers.push_back(arrow);
 
+  Marker way = marker(header, "ways", id, Marker::LINE_STRIP, colorOf(model));
+  for (const Eigen::Vector3d& p : wayOf(model, model.q_min, model.q_max)) way.points.push_back(toPoint(p));
+  markers->markers.push_back(way);
+
   Marker sweep = marker(header, "sweep", id, Marker::LINE_LIST, colorOf(model));
   sweep.scale.x = kLineWidth / 2;
   sweep.color.a = 0.4F;

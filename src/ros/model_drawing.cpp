@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/ros/model_drawing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
+#include "cabinet_articulation/articulation/model_registry.h"
 #include "cabinet_articulation/ros/joints.h"
 
 namespace cabinet_articulation {
 namespace {
 
 constexpr int kSweepSteps = 8;
+constexpr int kWaySteps = 16;
 
-const char* nameOf(core::JointType type) {
-  switch (type) {
-    case core::JointType::kPrismatic:
-      return "prismatic";
-    case core::JointType::kRotational:
-      return "rotational";
-    default:
-      return "rigid";
-  }
-}
+/// By type; further types share the last.
+constexpr Color kColors[] = {{0.7F, 0.7F, 0.7F}, {0.2F, 0.6F, 1.0F}, {0.3F, 0.9F, 0.3F}, {0.8F, 0.4F, 1.0F}};
+
+bool turns(const core::LearnedModel& model) { return core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian; }
 
 }  // namespace
 
 Color colorOf(const core::LearnedModel& model) {
   if (!model.moved) return {0.7F, 0.7F, 0.7F};
   if (!isJoint(model)) return {1.0F, 0.6F, 0.1F};
-  return model.type == core::JointType::kPrismatic ? Color{0.2F, 0.6F, 1.0F} : Color{0.3F, 0.9F, 0.3F};
+  return kColors[std::min(static_cast<size_t>(model.type), std::size(kColors) - 1)];
 }
 
 std::string labelOf(const core::LearnedModel& model) {
@@ -37,12 +35,11 @@ std::string labelOf(const core::LearnedModel& model) {
   } else if (!isJoint(model)) {
     std::snprintf(text, sizeof(text), "%u moved, no joint fits", model.id);
   } else {
-    const bool rotational = model.type == core::JointType::kRotational;
-    const double scale = rotational ? 180 / M_PI : 100;
+    const double scale = turns(model) ? 180 / M_PI : 100;
     const auto index = static_cast<size_t>(model.type);
     const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
-    std::snprintf(text, sizeof(text), "%u %s %.0f %%, %.0f %s (%.0f to %.0f)", model.id, nameOf(model.type), 100 * probability,
-                  scale * model.q, rotational ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
+    std::snprintf(text, sizeof(text), "%u %s %.0f %%, %.0f %s (%.0f to %.0f)", model.id, core::modelName(model.type),
+                  100 * probability, scale * model.q, turns(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
   }
   return text;
 }
@@ -50,12 +47,17 @@ std::string labelOf(const core::LearnedModel& model) {
 core::Rectangle frontAt(const core::LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
 
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model) {
-  if (model.type == core::JointType::kPrismatic)
-    return {model.predict(model.q_min).translation(), model.predict(model.q_max).translation()};
+  if (!turns(model)) return {model.predict(model.q_min).translation(), model.predict(model.q_max).translation()};
   // As long as the front is along the hinge.
   const Eigen::Vector3d in_front = model.origin.linear().transpose() * model.axis;
   const double half = (std::abs(in_front.x()) * model.width + std::abs(in_front.y()) * model.height) / 2;
   return {model.axis_point - half * model.axis, model.axis_point + half * model.axis};
+}
+
+std::vector<Eigen::Vector3d> wayOf(const core::LearnedModel& model, double from, double to) {
+  std::vector<Eigen::Vector3d> way;
+  for (int i = 0; i <= kWaySteps; ++i) way.push_back(model.predict(from + (to - from) * i / kWaySteps).translation());
+  return way;
 }
 
 std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model) {
@@ -71,6 +73,7 @@ core::LearnedModel transformed(const core::LearnedModel& model, const Eigen::Iso
   result.origin = T_target_source * model.origin;
   result.axis = T_target_source.linear() * model.axis;
   result.axis_point = T_target_source * model.axis_point;
+  for (Eigen::Isometry3d& pose : result.curve) pose = T_target_source * pose;
   core::Matrix6d turn = core::Matrix6d::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_target_source.linear();
   result.covariance = turn * model.covariance * turn.transpose();

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kNear = 0.1;  ///< [m] lines are cut off here
 constexpr int kShift = 4;      ///< sub-pixel bits of OpenCV's drawing
-constexpr int kOpeningSteps = 16;
 constexpr double kFontScale = 0.45;
 
 cv::Scalar scalar(const Color& color, double brightness = 1) {
@@ -67,9 +66,8 @@ void drawRange(const core::LearnedModel& model, Canvas* canvas) {
 void drawMotion(const core::LearnedModel& model, Canvas* canvas) {
   const auto axis = axisOf(model);
   canvas->line(axis.first, axis.second, scalar({1.0F, 0.25F, 0.25F}), 2);
-  for (int i = 0; i < kOpeningSteps; ++i)
-    canvas->line(model.predict(model.q * i / kOpeningSteps).translation(), model.predict(model.q * (i + 1) / kOpeningSteps).translation(),
-                 scalar({1.0F, 1.0F, 1.0F}), 2);
+  const std::vector<Eigen::Vector3d> way = wayOf(model, 0, model.q);
+  for (size_t i = 1; i < way.size(); ++i) canvas->line(way[i - 1], way[i], scalar({1.0F, 1.0F, 1.0F}), 2);
 }
 
 }  // namespace

@@ -67,9 +67,10 @@ double farRadius(const LearnedModel& model) {
 }
 
 void printModel(const std::string& file, const LearnedModel& model, double milliseconds) {
-  const char* type = model.explained ? modelName(model.type) : "other";
+  const bool is_joint = model.explained && model.type != JointType::kNonparametric;
+  const char* type = is_joint ? modelName(model.type) : "other";
   std::string radius;
-  if (model.explained && model.type == JointType::kRotational) radius = std::to_string(farRadius(model));
+  if (is_joint && model.radius > 0) radius = std::to_string(farRadius(model));
   std::printf("%s,%s,%.6f,%.6f,%.6f,%s,%.6f,%.6f,%.4f,%.3f\n", file.c_str(), type, model.probabilities[0], model.probabilities[1],
               model.probabilities[2], radius.c_str(), model.q_max - model.q_min, model.position_error,
               model.orientation_error * 180 / M_PI, milliseconds);

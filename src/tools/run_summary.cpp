@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "cabinet_articulation/articulation/model_registry.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -18,29 +20,18 @@ std::string format(const char* pattern, Arguments... arguments) {
 
 std::string vectorText(const Eigen::Vector3d& v) { return format("(%.3f %.3f %.3f)", v.x(), v.y(), v.z()); }
 
-std::string typeName(const core::LearnedModel& model) {
-  if (!model.explained) return "none of these";
-  switch (model.type) {
-    case core::JointType::kRigid:
-      return "rigid";
-    case core::JointType::kPrismatic:
-      return "prismatic";
-    case core::JointType::kRotational:
-      return "rotational";
-  }
-  return "unknown";
-}
-
 std::string modelText(const core::LearnedModel& model) {
   constexpr double kDegrees = 180 / M_PI;
-  std::string text = format("object %u: %s, %.3f x %.3f m, %d observations\n  probabilities", model.id, typeName(model).c_str(),
-                            model.width, model.height, model.observations);
+  const core::ModelEntry& entry = core::modelEntry(model.type);
+  std::string text = format("object %u: %s, %.3f x %.3f m, %d observations\n  probabilities", model.id,
+                            model.explained ? entry.name : "none of these", model.width, model.height, model.observations);
   for (const double probability : model.probabilities) text += format(" %.3f", probability);
-  if (model.type == core::JointType::kPrismatic)
-    text += "\n  axis " + vectorText(model.axis) + format(", opening %.3f to %.3f m", model.q_min, model.q_max);
-  if (model.type == core::JointType::kRotational)
-    text += "\n  axis " + vectorText(model.axis) + " through " + vectorText(model.axis_point) +
+  if (model.type != core::JointType::kRigid) text += "\n  axis " + vectorText(model.axis);
+  if (entry.unit == core::ConfigurationUnit::kRadian)
+    text += " through " + vectorText(model.axis_point) +
             format(", radius %.3f m, opening %.1f to %.1f deg", model.radius, kDegrees * model.q_min, kDegrees * model.q_max);
+  else if (model.type != core::JointType::kRigid)
+    text += format(", opening %.3f to %.3f m", model.q_min, model.q_max);
   return text + format("\n  residuals %.1f mm, %.2f deg\n", 1e3 * model.position_error, kDegrees * model.orientation_error);
 }
 

@@ -8,6 +8,10 @@
 #include <limits>
 #include <set>
 
+#include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -15,33 +19,19 @@ constexpr double kMillimetres = 1e3;
 constexpr double kDegrees = 180 / M_PI;
 constexpr double kFoundWithin = 50;  ///< [mm] farther off in the mean, a model describes something else
 
-Eigen::Vector3d vector(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
-Eigen::Vector3d vector(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
-
-/// Distance of a true front's centre to the line or circle on which the model moves the centre.
-double distanceToPath(const ArticulationModel& model, const Eigen::Vector3d& center) {
-  const Eigen::Vector3d offset = center - vector(model.origin.position);
-  const Eigen::Vector3d axis = vector(model.axis);
-  if (model.type == ArticulationModel::PRISMATIC) return (offset - axis.dot(offset) * axis).norm();
-  if (model.type != ArticulationModel::ROTATIONAL) return offset.norm();
-  const Eigen::Vector3d from_axis = center - vector(model.axis_point);
-  const Eigen::Vector3d origin_from_axis = vector(model.origin.position) - vector(model.axis_point);
-  const double radius = (origin_from_axis - axis.dot(origin_from_axis) * axis).norm();
-  const double along = axis.dot(from_axis) - axis.dot(origin_from_axis);
-  return std::hypot(along, (from_axis - axis.dot(from_axis) * axis).norm() - radius);
+const char* nameOf(int type) {
+  const auto index = static_cast<size_t>(type);
+  return index < core::modelRegistry().size() ? core::modelRegistry()[index].name : "unknown";
 }
 
-const char* nameOf(int type) {
-  switch (type) {
-    case ArticulationModel::RIGID:
-      return "rigid";
-    case ArticulationModel::PRISMATIC:
-      return "prismatic";
-    case ArticulationModel::ROTATIONAL:
-      return "rotational";
-    default:
-      return "other";
+/// Distance of a true front's centre to where the model predicts it, in the description of the rectangle that fits best.
+double distanceToModel(const core::LearnedModel& model, const core::Rectangle& front) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < core::kDescriptions; ++k) {
+    const double q = model.configuration(core::describe(front, k).pose);
+    least = std::min(least, (model.predict(q).translation() - front.center()).norm());
   }
+  return least;
 }
 
 std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
@@ -64,10 +54,10 @@ void TruthComparison::add(const SceneTruth& truth) {
   for (const JointTruth& joint : truth.joints) {
     if (!histories_.count(joint.name)) order_.push_back(joint.name);
     History& history = histories_[joint.name];
-    history.q_min = history.centers.empty() ? joint.q : std::min(history.q_min, joint.q);
-    history.q_max = history.centers.empty() ? joint.q : std::max(history.q_max, joint.q);
+    history.q_min = history.fronts.empty() ? joint.q : std::min(history.q_min, joint.q);
+    history.q_max = history.fronts.empty() ? joint.q : std::max(history.q_max, joint.q);
     history.last = joint;
-    history.centers.push_back(vector(joint.pose.position));
+    history.fronts.push_back({fromMessage(joint.pose), joint.width, joint.height});
   }
 }
 
@@ -78,15 +68,16 @@ JointComparison TruthComparison::compareJoint(const History& truth, const Articu
   result.true_range = truth.q_max - truth.q_min;
   result.model = model;
   result.probability = model.type < model.probabilities.size() ? model.probabilities[model.type] : 0;
-  for (const Eigen::Vector3d& center : truth.centers) {
-    const double distance = kMillimetres * distanceToPath(model, center);
-    result.prediction_mean += distance / truth.centers.size();
+  const core::LearnedModel learned = fromMessage(model);
+  for (const core::Rectangle& front : truth.fronts) {
+    const double distance = kMillimetres * distanceToModel(learned, front);
+    result.prediction_mean += distance / truth.fronts.size();
     result.prediction_max = std::max(result.prediction_max, distance);
   }
-  const Eigen::Vector3d true_axis = vector(truth.last.axis).normalized();
-  result.axis_degrees = kDegrees * std::acos(std::min(1.0, std::abs(true_axis.dot(vector(model.axis)))));
+  const Eigen::Vector3d true_axis = fromMessage(truth.last.axis).normalized();
+  result.axis_degrees = kDegrees * std::acos(std::min(1.0, std::abs(true_axis.dot(learned.axis))));
   if (truth.last.type == ArticulationModel::ROTATIONAL) {
-    const Eigen::Vector3d offset = vector(model.axis_point) - vector(truth.last.axis_point);
+    const Eigen::Vector3d offset = learned.axis_point - fromMessage(truth.last.axis_point);
     result.axis_millimetres = kMillimetres * (offset - true_axis.dot(offset) * true_axis).norm();
   }
   return result;

@@ -4,10 +4,11 @@
 #include <cabinet_articulation/ArticulationModelArray.h>
 #include <cabinet_articulation/SceneTruth.h>
 
-#include <Eigen/Geometry>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation {
 
@@ -50,7 +51,7 @@ class TruthComparison {
   struct History {
     JointTruth last;
     double q_min = 0, q_max = 0;
-    std::vector<Eigen::Vector3d> centers;
+    std::vector<core::Rectangle> fronts;
   };
   JointComparison compareJoint(const History& truth, const ArticulationModel& model) const;
 

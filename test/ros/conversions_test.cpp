@@ -74,6 +74,7 @@ core::LearnedModel exampleModel() {
   model.q = 0.5;
   model.q_min = -0.1;
   model.q_max = 1.5;
+  model.curve = {examplePose(), examplePose(1)};
   model.width = 0.4;
   model.height = 0.6;
   model.covariance = exampleCovariance();
@@ -200,6 +201,8 @@ TEST(ModelConversion, KeepsEveryField) {
   EXPECT_EQ(back.type, model.type);
   EXPECT_EQ(back.probabilities, model.probabilities);
   EXPECT_EQ(back.moved, model.moved);
+  ASSERT_EQ(back.curve.size(), 2u);
+  EXPECT_TRUE(back.curve[1].isApprox(model.curve[1], 1e-12));
   EXPECT_EQ(back.explained, model.explained);
   EXPECT_TRUE(back.origin.isApprox(model.origin, 1e-12));
   EXPECT_EQ(back.axis, model.axis);
@@ -219,7 +222,7 @@ TEST(ModelConversion, KeepsEveryField) {
 TEST(ModelConversion, RefusesAnUnknownType) {
   ArticulationModel message = toMessage(exampleModel(), "map");
   message.type = 17;
-  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "type is 17, expected 0 (rigid), 1 (prismatic) or 2 (rotational)");
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "type is 17, expected less than 4");
 }
 
 TEST(StampConversion, KeepsNanosecondsOfShortTimesAndAFractionOfAMicrosecondOfTodays) {

@@ -56,6 +56,11 @@ TEST(Joints, TransformsChainToTheFrontAsItIsNow) {
   EXPECT_EQ(transforms[1].header.stamp, ros::Time(5));
   const Eigen::Isometry3d front = tf2::transformToEigen(transforms[0]) * tf2::transformToEigen(transforms[1]);
   EXPECT_TRUE(front.isApprox(door.predict(door.q), 1e-9));
+  const core::LearnedModel garage = test::garageModel();
+  const auto along_curve = jointTransforms({garage}, headerAt(5), "cabinet");
+  ASSERT_EQ(along_curve.size(), 2u);
+  EXPECT_TRUE(
+      (tf2::transformToEigen(along_curve[0]) * tf2::transformToEigen(along_curve[1])).isApprox(garage.predict(0.2), 1e-9));
 }
 
 TEST(Joints, StatesAreThoseObservedInTheFrame) {

@@ -60,13 +60,24 @@ TEST(Markers, AxisOfADrawerIsItsWay) {
   EXPECT_TRUE(fromMessage(axis.points[1]).isApprox(Eigen::Vector3d(0.1, 0.3, 1.0), 1e-9));
 }
 
+TEST(Markers, WayOfACurveIsDrawnAlongIt) {
+  const core::LearnedModel garage = test::garageModel();
+  const MarkerArray markers = markersOf({garage});
+  const Marker* way = find(markers, "ways", 6);
+  ASSERT_TRUE(way);
+  EXPECT_TRUE(fromMessage(way->points.front()).isApprox(garage.curve.front().translation(), 1e-9));
+  EXPECT_TRUE(fromMessage(way->points.back()).isApprox(garage.curve.back().translation(), 1e-9));
+  EXPECT_TRUE(fromMessage(way->points[way->points.size() / 2]).isApprox(garage.predict(0.2).translation(), 1e-9));
+  EXPECT_EQ(find(markers, "labels", 6)->text, "6 nonparametric 98 %, 20 cm (0 to 40)");
+}
+
 TEST(Markers, WhatIsNoJointHasOnlyAFront) {
   for (const core::LearnedModel& model : {test::restingModel(), test::unexplainedModel()})
     EXPECT_EQ(markersOf({model}).markers.size(), 1u);
 }
 
 TEST(Markers, AreValidForRViz) {
-  MarkerArray markers = markersOf({test::doorModel(), test::drawerModel(), test::restingModel()});
+  MarkerArray markers = markersOf({test::doorModel(), test::drawerModel(), test::garageModel(), test::restingModel()});
   core::DetectedRectangle rectangle;
   rectangle.rectangle = {test::facingCamera(0, 0, 1), 0.4, 0.2};
   addMarkers({rectangle}, mapHeader(), &markers);
@@ -95,7 +106,7 @@ TEST(MarkerHistory, DeletesWhatVanishedOnceAndLeavesTheRest) {
   EXPECT_EQ(first.markers.size(), shown) << "nothing to delete at first";
   MarkerArray second = markersOf({test::restingModel()});
   history.deleteVanished(&second);
-  ASSERT_EQ(second.markers.size(), 1u + 4u);
+  ASSERT_EQ(second.markers.size(), 1u + 5u);
   for (size_t i = 1; i < second.markers.size(); ++i) {
     EXPECT_EQ(second.markers[i].action, Marker::DELETE);
     EXPECT_EQ(second.markers[i].id, 3);

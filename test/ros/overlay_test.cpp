@@ -49,8 +49,15 @@ TEST(Overlay, DrawsADoorsFrontAxisAndRange) {
   EXPECT_TRUE(drawnAt(image, door.predict(0.25).translation())) << "the way of the front's centre";
 }
 
+TEST(Overlay, DrawsTheWayOfACurve) {
+  const core::LearnedModel garage = test::garageModel();
+  const cv::Mat3b image = draw({}, {garage});
+  for (const double q : {0.05, 0.1, 0.15}) EXPECT_TRUE(drawnAt(image, garage.predict(q).translation())) << q;
+}
+
 TEST(Overlay, ColourTellsTheType) {
   EXPECT_NE(colorOf(test::doorModel()), colorOf(test::drawerModel()));
+  EXPECT_NE(colorOf(test::garageModel()), colorOf(test::drawerModel()));
   EXPECT_NE(colorOf(test::restingModel()), colorOf(test::doorModel()));
   EXPECT_NE(colorOf(test::unexplainedModel()), colorOf(test::restingModel()));
 }
@@ -75,7 +82,7 @@ TEST(Overlay, CutsOffWhatIsBehindTheCameraOrNotFinite) {
 TEST(ModelDrawing, TransformedModelPredictsTheSameFrontsInTheOtherFrame) {
   const Eigen::Isometry3d T =
       Eigen::Translation3d(1, 2, 3) * Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 1, 0).normalized()));
-  for (const core::LearnedModel& model : {test::doorModel(), test::drawerModel()})
+  for (const core::LearnedModel& model : {test::doorModel(), test::drawerModel(), test::garageModel()})
     EXPECT_TRUE(transformed(model, T).predict(0.3).isApprox(T * model.predict(0.3), 1e-9)) << model.id;
   core::LearnedModel door = test::doorModel();
   door.covariance.diagonal() << 1, 2, 3, 4, 5, 6;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "cabinet_articulation/articulation/articulation_learner.h"
 
 namespace cabinet_articulation {
@@ -18,7 +20,7 @@ inline core::LearnedModel restingModel() {
   model.origin = facingCamera(-0.3, 0.2, 1.4);
   model.width = 0.4;
   model.height = 0.2;
-  model.probabilities = {1, 0, 0};
+  model.probabilities = {1, 0, 0, 0};
   return model;
 }
 
@@ -28,7 +30,7 @@ inline core::LearnedModel doorModel() {
   model.id = 3;
   model.type = core::JointType::kRotational;
   model.moved = true;
-  model.probabilities = {0.01, 0.02, 0.97};
+  model.probabilities = {0.01, 0.02, 0.97, 0};
   model.origin = facingCamera(0.1, 0, 1.2);
   model.axis = Eigen::Vector3d::UnitY();
   model.axis_point = Eigen::Vector3d(-0.1, 0, 1.2);
@@ -46,13 +48,35 @@ inline core::LearnedModel drawerModel() {
   model.id = 4;
   model.type = core::JointType::kPrismatic;
   model.moved = true;
-  model.probabilities = {0, 0.99, 0.01};
+  model.probabilities = {0, 0.99, 0.01, 0};
   model.origin = facingCamera(0.1, 0.3, 1.3);
   model.axis = -Eigen::Vector3d::UnitZ();
   model.q = 0.2;
   model.q_max = 0.3;
   model.width = 0.4;
   model.height = 0.15;
+  return model;
+}
+
+/// A garage door's front, half way up: it slides and turns.
+inline core::LearnedModel garageModel() {
+  core::LearnedModel model;
+  model.id = 6;
+  model.type = core::JointType::kNonparametric;
+  model.moved = true;
+  model.probabilities = {0, 0, 0.02, 0.98};
+  model.width = 0.8;
+  model.height = 0.5;
+  model.q = 0.2;
+  model.q_max = 0.4;
+  constexpr int kSteps = 8;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = M_PI / 2 * i / kSteps, radius = model.q_max / (M_PI / 2);
+    model.curve.push_back(facingCamera(0, radius * std::cos(angle), 1.5 + radius * std::sin(angle)) *
+                          Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitX()));
+  }
+  model.origin = model.curve.front();
+  model.axis = (model.curve.back().translation() - model.curve.front().translation()).normalized();
   return model;
 }
 

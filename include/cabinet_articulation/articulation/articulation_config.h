@@ -10,6 +10,7 @@ struct ArticulationConfig {
   bool rigid = true;
   bool prismatic = true;
   bool rotational = true;
+  bool nonparametric = true;
 
   double sigma_position = 0.01;
   double sigma_orientation = 0.1;
@@ -42,6 +43,7 @@ struct ArticulationConfig {
     visit("rigid", self.rigid, "candidate: the front does not move");
     visit("prismatic", self.prismatic, "candidate: the front moves along a line");
     visit("rotational", self.rotational, "candidate: the front turns about an axis");
+    visit("nonparametric", self.nonparametric, "candidate: the front follows a smooth curve that no joint explains");
     visit("sigma_position", self.sigma_position, Range{1e-4, 1}, "m", "position noise of Eq. (9) (original release: 0.01)");
     visit("sigma_orientation", self.sigma_orientation, Range{1e-3, 100}, "rad",
           "orientation noise of Eq. (9) (original release: 0.1 with a camera)");

@@ -3,31 +3,22 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/articulation/configuration_unit.h"
+#include "cabinet_articulation/articulation/learned_model.h"
 #include "cabinet_articulation/articulation/pose_track.h"
-#include "cabinet_articulation/geometry/joint_type.h"
-#include "cabinet_articulation/rectangles/detected_rectangle.h"
 
 namespace cabinet_articulation::core {
-
-/// A named number of a model, for ArticulationModel.params; names as in the original release.
-struct ModelParam {
-  enum Kind : std::uint8_t { kPrior = 0, kParam = 1, kEval = 2 };
-  std::string name;
-  double value = 0;
-  Kind kind = kParam;
-};
 
 /// Where a joint is, for those that want an axis rather than a function.
 struct JointGeometry {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< unit; direction of growing q, or of the right-handed turn
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();  ///< rotational: of the axis, nearest to the observed point
-  double radius = 0;                                     ///< [m] rotational: from the axis to the observed point
+  double radius = 0;                                     ///< [m] from the axis to the observed point; 0: nothing turns
 };
 
 /// How far a track is from a model, pose by pose.
@@ -51,6 +42,10 @@ class ArticulationModel {
   /// Whether there is a latent configuration q.
   virtual bool moves() const = 0;
 
+  /// Whether its shape is that of one kind of joint. One that is not follows anything, and is asked only when no joint
+  /// explains a motion.
+  virtual bool isParametric() const { return true; }
+
   /// Number of parameters, for the penalty of Eq. (11).
   virtual int complexity(bool with_orientation) const = 0;
 
@@ -65,6 +60,9 @@ class ArticulationModel {
   virtual double configuration(const Eigen::Isometry3d& pose) const = 0;
 
   virtual JointGeometry geometry() const = 0;
+
+  /// Poses at equal steps from q_min to q_max, of joints that geometry() does not describe.
+  virtual std::vector<Eigen::Isometry3d> curve(double /*q_min*/, double /*q_max*/) const { return {}; }
 
   /// Covariance of geometry() as ArticulationModel.msg defines it, for the point `p` of the front instead of the observed
   /// one. Residuals that follow one another, with a correlation of `correlation`, are accounted for.
@@ -86,6 +84,10 @@ class ArticulationModel {
  protected:
   ArticulationConfig config_;
 };
+
+/// ArticulationModel.covariance of a pose whose coordinates have these variances [m^2, rad^2], for a point of the front that
+/// is `lever` away from the observed one: the orientation's error moves it, too.
+Matrix6d pointCovariance(double position_variance, double orientation_variance, const Eigen::Vector3d& lever);
 
 /// Appends x, y, z.
 void appendParam(const std::string& name, const Eigen::Vector3d& value, std::vector<ModelParam>* params);

@@ -28,6 +28,8 @@ class FrontLearner {
   LearnedModel describe(const Candidate& candidate) const;
   void chooseReference(const Track& track);
   void createModels();
+  void fitModels(const PoseTrack& track, bool parametric);
+  void compareSequences(const PoseTrack& track);
 
   ArticulationConfig config_;
   FrontPoses observations_;

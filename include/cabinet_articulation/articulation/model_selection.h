@@ -35,7 +35,8 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
  * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). A
  * model whose path bends by less than sagitta_min, and on which the front hardly turns, is not preferred to a simpler one.
  * Between rigid and moving they are not, since such a sequence explains slow motion by itself: there they are independent, the
- * likelihood counts for as many poses as are independent, and the motion must exceed `threshold`.
+ * likelihood counts for as many poses as are independent, and the motion must exceed `threshold`. So they are between a joint
+ * that does not explain the motion and a curve of any shape.
  */
 Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionThreshold& threshold,
                       const ArticulationConfig& config);

@@ -8,9 +8,14 @@ namespace cabinet_articulation::core {
 /// The front does not move: one pose, the robust mean of all.
 class RigidModel : public ArticulationModel {
  public:
+  static constexpr JointType kType = JointType::kRigid;
+  static constexpr ConfigurationUnit kUnit = ConfigurationUnit::kMetre;
+  static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
+  static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
+
   using ArticulationModel::ArticulationModel;
 
-  JointType type() const override { return JointType::kRigid; }
+  JointType type() const override { return kType; }
   bool moves() const override { return false; }
   int complexity(bool with_orientation) const override { return with_orientation ? 6 : 3; }
   bool fit(const PoseTrack& track) override;

@@ -6,6 +6,6 @@
 namespace cabinet_articulation::core {
 
 /// Values as in ArticulationModel.msg.
-enum class JointType : std::uint8_t { kRigid = 0, kPrismatic = 1, kRotational = 2 };
+enum class JointType : std::uint8_t { kRigid = 0, kPrismatic = 1, kRotational = 2, kNonparametric = 3 };
 
 }  // namespace cabinet_articulation::core

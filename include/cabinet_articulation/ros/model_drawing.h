@@ -19,7 +19,7 @@ namespace cabinet_articulation {
 /// Red, green, blue in 0..1.
 using Color = std::array<float, 3>;
 
-/// Grey: not enough motion yet; orange: no model describes it; blue: prismatic; green: rotational.
+/// Grey: not enough motion yet; orange: no model describes it; blue: prismatic; green: rotational; violet: nonparametric.
 Color colorOf(const core::LearnedModel& model);
 
 /// "3 rotational 98 %, 34 deg (0 to 87)"
@@ -28,8 +28,11 @@ std::string labelOf(const core::LearnedModel& model);
 /// The front as the model predicts it at q (Eq. 8).
 core::Rectangle frontAt(const core::LearnedModel& model, double q);
 
-/// The hinge line along the front (rotational) or the way of the front's centre (prismatic): from, to.
+/// The hinge line along the front (rotational), or from one end of the front's centre's way to the other: from, to.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model);
+
+/// The way of the front's centre between two openings.
+std::vector<Eigen::Vector3d> wayOf(const core::LearnedModel& model, double from, double to);
 
 /// Fronts over the range that was seen, q_min and q_max included; nothing for what is no joint.
 std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/geometry/joint_type.h"
+#include "cabinet_articulation/rectangles/detected_rectangle.h"
+
+namespace cabinet_articulation::core {
+
+/// A named number of a model, for ArticulationModel.params; names as in the original release.
+struct ModelParam {
+  enum Kind : std::uint8_t { kPrior = 0, kParam = 1, kEval = 2 };
+  std::string name;
+  double value = 0;
+  Kind kind = kParam;
+};
+
+/// What is known about how one front moves. All fields as in ArticulationModel.msg, in the frame of the track.
+struct LearnedModel {
+  std::uint32_t id = 0;
+  double stamp = 0;  ///< [s] of the newest observation
+  JointType type = JointType::kRigid;
+  std::vector<double> probabilities;  ///< index = JointType
+  bool moved = false;                 ///< false: not enough motion to tell yet
+  bool explained = true;              ///< false: moved, but no model describes it ("none of these")
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();
+  double radius = 0;
+  double q = 0, q_min = 0, q_max = 0;
+  std::vector<Eigen::Isometry3d> curve;  ///< nonparametric: the front's centre at equal steps of q from q_min to q_max
+  double width = 0, height = 0;
+  Matrix6d covariance = Matrix6d::Zero();  ///< as ArticulationModel.covariance
+  double position_error = 0, orientation_error = 0;
+  int observations = 0;
+  std::vector<ModelParam> params;
+
+  /// Eq. (8): the front's centre pose at q.
+  Eigen::Isometry3d predict(double q) const;
+
+  /// The q at which the front is nearest to this pose of its centre.
+  double configuration(const Eigen::Isometry3d& front) const;
+};
+
+}  // namespace cabinet_articulation::core
