@@ -17,7 +17,7 @@ constexpr int kFirst = 4;                               ///< strips that are the
 constexpr int kLongest = 20;                            ///< strips (10 px) that a face is followed
 constexpr float kUnexplained = 1.5F;                    ///< log residual above the level that is as bad as any other
 constexpr float kElsewhere = 0.9F;                      ///< price of a strip that is neither front nor face
-constexpr float kEvidence = 1.5F;                       ///< sum of log residuals that the face must explain better
+constexpr float kEvidence = 0.4F;                       ///< sum of log residuals that the face must explain better
 constexpr float kSmallestResidual = 0.015F;             ///< what interpolation alone leaves unexplained
 
 using Values = std::array<float, kStrips>;
