@@ -46,13 +46,21 @@ bool sameSurface(const Rectangle& a, const Rectangle& b) {
 std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const SupportedRectangle& a, const SupportedRectangle& b) { return a.support > b.support; });
-  std::vector<DetectedRectangle> selected;
+  std::vector<SupportedRectangle> distinct;
+  int tracked = 0;
   for (const SupportedRectangle& candidate : candidates) {
-    if (static_cast<int>(selected.size()) == config.max_rectangles) break;
-    const bool known = std::any_of(selected.begin(), selected.end(), [&](const DetectedRectangle& better) {
-      return sameSurface(better.rectangle, candidate.detection.rectangle);
+    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const SupportedRectangle& better) {
+      return sameSurface(better.detection.rectangle, candidate.detection.rectangle);
     });
-    if (!known) selected.push_back(candidate.detection);
+    if (known) continue;
+    distinct.push_back(candidate);
+    tracked += candidate.tracked ? 1 : 0;
+  }
+  std::vector<DetectedRectangle> selected;
+  int others = std::max(config.max_rectangles - tracked, 0);
+  for (const SupportedRectangle& candidate : distinct) {
+    if (static_cast<int>(selected.size()) == config.max_rectangles) break;
+    if (candidate.tracked || others-- > 0) selected.push_back(candidate.detection);
   }
   return selected;
 }

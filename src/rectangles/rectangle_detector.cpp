@@ -13,6 +13,8 @@
 #include "cabinet_articulation/rectangles/rectangle_acceptance.h"
 #include "cabinet_articulation/rectangles/rectangle_covariance.h"
 #include "cabinet_articulation/rectangles/region_fit.h"
+#include "cabinet_articulation/rectangles/region_order.h"
+#include "cabinet_articulation/rectangles/work_budget.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -98,15 +100,23 @@ std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& fram
 
 std::vector<RectangleCandidate> RectangleDetector::search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
                                                           const std::vector<Rectangle>& expected) {
+  RectangleObjective& objective = buffers_->objective;
+  WorkBudget budget(config_.time_budget);
   std::vector<RectangleCandidate> candidates;
-  for (size_t i = 0; i < regions.size(); ++i) {
+  for (const int i : regionOrder(regions, camera, expected)) {
+    if (budget.exhausted()) break;
+    budget.addRegion();
     const std::optional<PlaneChart> chart = chartOf(regions[i], camera);
     if (!chart) continue;
-    buffers_->objective.setMask(regions[i].mask);
-    const std::optional<RegionFit> fit = fitRegion(regions[i], *chart, buffers_->objective, expected, config_);
+    objective.setMask(regions[i].mask);
+    const std::int64_t rows = objective.rowsSeen();
+    const std::optional<RegionFit> fit = fitRegion(regions[i], *chart, objective, expected, config_);
+    budget.addRows(objective.rowsSeen() - rows);
     if (!fit) continue;
-    const RectangleCandidate candidate{static_cast<int>(i), regions[i], *chart, fit->rectangle, fit->guided};
-    if (assess(candidate, buffers_->objective, config_)) candidates.push_back(candidate);
+    const RectangleCandidate candidate{i, regions[i], *chart, fit->rectangle, fit->guided};
+    if (!assess(candidate, objective, config_)) continue;
+    budget.addRefinement();
+    candidates.push_back(candidate);
   }
   return candidates;
 }
@@ -121,7 +131,8 @@ std::optional<SupportedRectangle> RectangleDetector::refine(const DepthFrame& fr
   if (!result) return std::nullopt;
   DetectedRectangle& detection = result->detection;
   detection.edge_support = edgeSupport(candidate->chart, candidate->rectangle, candidate->region.mask, refined.confirmed);
-  if (!bounded(detection.edge_support, config_) && !tracked(detection.rectangle, expected)) return std::nullopt;
+  result->tracked = tracked(detection.rectangle, expected);
+  if (!bounded(detection.edge_support, config_) && !result->tracked) return std::nullopt;
   std::array<EdgeObservation, 4> edges;
   for (const Edge edge : kEdges) edges[edge] = {detection.edge_support[edge], refined.confirmed[edge]};
   detection.covariance = rectangleCovariance(candidate->chart, candidate->rectangle, edges, candidate->region, frame);

@@ -70,11 +70,14 @@ double RectangleObjective::gain(const ImageQuad& quad, int row_step) const {
   if (paper_ && !insideImage(quad, mask_.size())) return kForbidden;
   std::int64_t sum = 0;
   std::int64_t pixels = 0;
+  std::int64_t rows = 0;
   forEachSpan(quad, mask_.cols, mask_.rows, row_step, [&](int v, int u_begin, int u_end) {
+    ++rows;
     const std::int32_t* sums = rowSums(v, u_begin, u_end);
     sum += sums[u_end] - sums[u_begin];
     pixels += u_end - u_begin;
   });
+  rows_seen_ += rows;
   if (pixels == 0) return kForbidden;
   pixels *= row_step;
   const double inside = static_cast<double>(sum * row_step) / kWeightScale;

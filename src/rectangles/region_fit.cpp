@@ -8,15 +8,14 @@
 
 #include "cabinet_articulation/rectangles/edge_support.h"
 #include "cabinet_articulation/rectangles/image_edge.h"
+#include "cabinet_articulation/rectangles/region_order.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kPlaneDistance = 0.05;  ///< [m] a tracked front moves no farther between frames
-constexpr double kPlaneCosine = 0.9;     ///< 26 deg: turn between frames and a small front's error
-constexpr double kSameSize = 0.01;       ///< [m] a side that the free fit and the track agree on
-constexpr double kObservedEdge = 0.5;    ///< edge support from which a side counts as seen
-constexpr double kRandomSide = 0.2;      ///< [m] of a random start (original release)
+constexpr double kSameSize = 0.01;     ///< [m] a side that the free fit and the track agree on
+constexpr double kObservedEdge = 0.5;  ///< edge support from which a side counts as seen
+constexpr double kRandomSide = 0.2;    ///< [m] of a random start (original release)
 
 std::optional<PlaneRectangle> outlineStart(const PlaneRegion& region, const PlaneChart& chart) {
   std::vector<cv::Point2f> outline;
@@ -53,10 +52,6 @@ std::vector<PlaneRectangle> randomStarts(const PlaneRegion& region, const PlaneC
     starts.push_back({*center, std::atan2(direction.y(), direction.x()), kRandomSide, kRandomSide});
   }
   return starts;
-}
-
-bool liesIn(const Plane& plane, const Rectangle& expected) {
-  return expected.normal().dot(plane.normal) > kPlaneCosine && std::abs(plane.distance(expected.center())) < kPlaneDistance;
 }
 
 /// True if both edges across a side of the free fit were seen, or the side agrees with the track's anyway.

@@ -91,6 +91,8 @@ TEST(RectangleAcceptanceTest, SelectsTheBestSupportedOfEachSurface) {
   EXPECT_EQ(regionsOf(), (std::vector<int>{2, 1, 3}));
   config.max_rectangles = 2;
   EXPECT_EQ(regionsOf(), (std::vector<int>{2, 1}));
+  candidates[3].tracked = true;  // a live track is worth more than support
+  EXPECT_EQ(regionsOf(), (std::vector<int>{2, 3}));
 }
 
 }  // namespace

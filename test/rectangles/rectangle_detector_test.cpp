@@ -172,6 +172,26 @@ TEST_F(RectangleDetectorTest, KeepsAtMostTheGivenNumber) {
   EXPECT_EQ(found[1].region, 1);
 }
 
+TEST_F(RectangleDetectorTest, ATimeBudgetGoesToTracksAndLargeRegionsFirst) {
+  std::vector<Rectangle> fronts;
+  std::vector<PlaneRegion> regions;
+  for (const double x : {-0.35, 0.0, 0.35}) {
+    fronts.push_back(exampleFront({x, 0, 1.3}, 0.25, 0.25 + x / 10, 0, 0, 0));
+    regions.push_back(finishRegion(frontRegion(fronts.back(), frame_.camera)));
+  }
+  const auto found = [&](double milliseconds, const std::vector<Rectangle>& expected) {
+    config_.time_budget = milliseconds;
+    std::vector<int> result;
+    for (const DetectedRectangle& rectangle : RectangleDetector(config_).process(frame_, regions, expected))
+      result.push_back(rectangle.region);
+    return result;
+  };
+  EXPECT_EQ(found(0.1, {}), (std::vector<int>{2}));           // one rectangle costs some 0.4 ms
+  EXPECT_EQ(found(0.1, {fronts[0]}), (std::vector<int>{0}));  // the smallest, but tracked
+  EXPECT_EQ(found(0.6, {}), (std::vector<int>{2, 1}));
+  EXPECT_EQ(found(100, {}), found(0, {}));
+}
+
 TEST_F(RectangleDetectorTest, RandomStartsAreReproducibleAndFindTheFrontWithThePapersObjective) {
   config_.objective = "paper";
   config_.random_starts = 5;

@@ -27,10 +27,12 @@ bool sameSurface(const Rectangle& a, const Rectangle& b);
 /// A rectangle that passed, and the pixels that support it.
 struct SupportedRectangle {
   DetectedRectangle detection;
-  int support = 0;  ///< [px] in-plane pixels
+  int support = 0;       ///< [px] in-plane pixels
+  bool tracked = false;  ///< shows what a live track shows
 };
 
-/// Best supported first, without those that show the same surface as a better one, at most `max_rectangles`.
+/// Best supported first, without those that show the same surface as a better one. Of more than `max_rectangles`, tracked
+/// ones stay first, then the best supported.
 std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -30,7 +30,7 @@ class RectangleDetector {
 
  private:
   struct Buffers;
-  /// At most one rectangle per region, by its mask alone.
+  /// At most one rectangle per region, by its mask alone; within the time budget.
   std::vector<RectangleCandidate> search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
                                          const std::vector<Rectangle>& expected);
   /// Edges from the images, acceptance and covariance.

@@ -39,6 +39,9 @@ class RectangleObjective {
 
   LabelCounts count(const ImageQuad& quad) const;
 
+  /// Image rows that gain() has looked at so far: the measure of a search's work.
+  std::int64_t rowsSeen() const { return rows_seen_; }
+
  private:
   /// The part of a row whose sums are ready.
   struct Range {
@@ -56,6 +59,7 @@ class RectangleObjective {
   cv::Mat1b mask_;
   mutable std::vector<std::int32_t> sums_;  ///< [v][u]: the weights of row v left of u, up to a constant of the row
   mutable std::vector<Range> ready_;        ///< of each row
+  mutable std::int64_t rows_seen_ = 0;
 };
 
 }  // namespace cabinet_articulation::core

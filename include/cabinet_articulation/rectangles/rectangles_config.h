@@ -35,9 +35,11 @@ struct RectanglesConfig {
   double min_observed_across = 0.4;
   double min_side = 0.06;
   double max_side = 1.0;
-  int max_rectangles = 20;
   // Tracks
   double track_gain = 0.6;
+  // Budget
+  int max_rectangles = 20;
+  double time_budget = 0;
 
   /// The paper's variant, as in the original release: the baseline of comparisons.
   static RectanglesConfig paper() {
@@ -97,9 +99,13 @@ struct RectanglesConfig {
           "observed share of the better one of two opposite edges, for both pairs; not asked where a track is (ours)");
     visit("min_side", self.min_side, Range{0.001, 10}, "m", "shortest side of a rectangle (original release: 0.05)");
     visit("max_side", self.max_side, Range{0.01, 100}, "m", "longest side of a rectangle (original release: 1.5)");
-    visit("max_rectangles", self.max_rectangles, Range{1, 1000}, "", "rectangles of one frame at most, the best supported first");
     visit("track_gain", self.track_gain, Range{0, 1}, "",
           "a fit with a track's size is used where its gain is at least this share of the free fit's (ours)");
+    visit("max_rectangles", self.max_rectangles, Range{1, 1000}, "",
+          "rectangles of one frame at most: live tracks first, then the best supported");
+    visit("time_budget", self.time_budget, Range{0, 10000}, "ms",
+          "no further region is looked at once a frame's work is worth this on one core of 2 to 3 GHz; counted, not timed, so "
+          "that results repeat; live tracks first, then the largest regions; 0: no limit");
   }
 };
 
