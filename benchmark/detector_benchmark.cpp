@@ -4,12 +4,15 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <memory>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/utility.hpp>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
+#include "limit_reporter.h"
+#include "measure.h"
 #include "recorded_sequence.h"
 #include "simulated_sources.h"
 
@@ -61,19 +64,22 @@ void opencvStereoBm(benchmark::State& state) {
   matcher->setSpeckleWindowSize(config.speckle_size);
   matcher->setSpeckleRange(config.speckle_range);
   cv::Mat disparity;
-  for (auto _ : state) matcher->compute(input.frame.left, input.frame.right, disparity);
+  measure(state, [&] {
+    matcher->compute(input.frame.left, input.frame.right, disparity);
+    return disparity.data;
+  });
 }
 
 void stereo(benchmark::State& state) {
   const Prepared& input = prepare(state);
   BlockMatcher matcher({});
-  for (auto _ : state) benchmark::DoNotOptimize(matcher.process(input.frame.left, input.frame.right, input.camera));
+  measure(state, [&] { return matcher.process(input.frame.left, input.frame.right, input.camera); });
 }
 
 void planes(benchmark::State& state) {
   const Prepared& input = prepare(state);
   PlaneSegmenter segmenter({});
-  for (auto _ : state) benchmark::DoNotOptimize(segmenter.process(input.depth));
+  measure(state, [&] { return segmenter.process(input.depth); });
   state.counters["regions"] = static_cast<double>(input.regions.size());
 }
 
@@ -82,32 +88,42 @@ void planesUnrefined(benchmark::State& state) {
   PlanesConfig config;
   config.refine = false;
   PlaneSegmenter segmenter(config);
-  for (auto _ : state) benchmark::DoNotOptimize(segmenter.process(input.depth));
+  measure(state, [&] { return segmenter.process(input.depth); });
 }
 
 void rectangles(benchmark::State& state) {
   const Prepared& input = prepare(state);
   RectangleDetector detector({});
-  for (auto _ : state) benchmark::DoNotOptimize(detector.process(input.depth, input.regions));
+  measure(state, [&] { return detector.process(input.depth, input.regions); });
   state.counters["rectangles"] = static_cast<double>(input.rectangles.size());
 }
 
-/// The search alone, in the region of the best supported rectangle.
-void oneRectangle(benchmark::State& state) {
+/// Planes and rectangles, with a track for every rectangle.
+void detector(benchmark::State& state) {
+  const Prepared& input = prepare(state);
+  PlaneSegmenter segmenter({});
+  RectangleDetector detector({});
+  std::vector<Rectangle> tracks;
+  for (const DetectedRectangle& detection : input.rectangles) tracks.push_back(detection.rectangle);
+  measure(state, [&] { return detector.process(input.depth, segmenter.process(input.depth), tracks); });
+}
+
+/// In the region of the best supported rectangle; `refined`: with its edges in the images, otherwise the search alone.
+void oneRectangle(benchmark::State& state, bool refined) {
   const Prepared& input = prepare(state);
   if (input.rectangles.empty()) return state.SkipWithError("no rectangle in this frame");
   const std::vector<PlaneRegion> region{input.regions[input.rectangles[0].region]};
   RectanglesConfig config;
-  config.refine_edges = false;
+  config.refine_edges = refined;
   RectangleDetector detector(config);
-  for (auto _ : state) benchmark::DoNotOptimize(detector.process(input.depth, region));
+  measure(state, [&] { return detector.process(input.depth, region); });
 }
 
 void tracking(benchmark::State& state) {
   const Prepared& input = prepare(state);
   RectangleTracker tracker({});
   double stamp = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(tracker.process(stamp += 1.0 / 15, input.rectangles));
+  measure(state, [&]() -> const std::vector<Track>& { return tracker.process(stamp += 1.0 / 15, input.rectangles); });
 }
 
 /// All stages, with tracks that feed back; every frame is the same one.
@@ -115,28 +131,46 @@ void pipeline(benchmark::State& state) {
   const Prepared& input = prepare(state);
   Pipeline pipeline({});
   double stamp = 0;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(pipeline.process(stamp += 1.0 / 15, input.frame.left, input.frame.right, input.camera));
+  measure(state, [&] { return pipeline.process(stamp += 1.0 / 15, input.frame.left, input.frame.right, input.camera); });
 }
 
-// Two places of the run: in the kitchen the door is open in the first, the drawer in the second.
-#define AT_TWO_PLACES(function) BENCHMARK(function)->Arg(28)->Arg(74)->Unit(benchmark::kMillisecond)
-AT_TWO_PLACES(opencvStereoBm);
-AT_TWO_PLACES(stereo);
-AT_TWO_PLACES(planes);
-AT_TWO_PLACES(planesUnrefined);
-AT_TWO_PLACES(rectangles);
-AT_TWO_PLACES(oneRectangle);
-AT_TWO_PLACES(tracking);
-AT_TWO_PLACES(pipeline);
-#undef AT_TWO_PLACES
+struct Stage {
+  const char* name;
+  std::function<void(benchmark::State&)> run;
+};
+
+const std::vector<Stage> kStages{{"opencvStereoBm", opencvStereoBm},
+                                 {"stereo", stereo},
+                                 {"planes", planes},
+                                 {"planesUnrefined", planesUnrefined},
+                                 {"rectangles", rectangles},
+                                 {"detector", detector},
+                                 {"rectangleSearch", [](benchmark::State& state) { oneRectangle(state, false); }},
+                                 {"rectangleRefined", [](benchmark::State& state) { oneRectangle(state, true); }},
+                                 {"tracking", tracking},
+                                 {"pipeline", pipeline}};
+
+// Two places of the run [%]: in the kitchen the door is open in the first, the drawer in the second.
+constexpr int kPlaces[] = {28, 74};
+constexpr int kRepetitions = 3;
+
+void reportLimits(const LimitReporter& times) {
+  for (const int place : kPlaces) {
+    const auto at = [place](const char* stage) { return std::string(stage) + "/" + std::to_string(place); };
+    times.compare(at("detector") + " beside OpenCV's StereoBM", at("detector"), at("opencvStereoBm"));
+    times.compare(at("planes") + " before refinement (paper: 845 ms)", at("planesUnrefined"), 10);
+    times.compare(at("rectangle") + " optimised (paper: 313 ms)", at("rectangleSearch"), 1);
+  }
+}
 
 }  // namespace
 }  // namespace cabinet_articulation::core::evaluation
 
 int main(int argc, char** argv) {
+  using namespace cabinet_articulation::core::evaluation;
   cv::setNumThreads(1);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  for (const Stage& stage : kStages)
+    for (const int place : kPlaces)
+      benchmark::RegisterBenchmark(stage.name, stage.run)->Arg(place)->Repetitions(kRepetitions)->Unit(benchmark::kMillisecond);
+  return runBenchmarks(argc, argv, reportLimits);
 }

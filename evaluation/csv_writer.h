@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace cabinet_articulation::core::evaluation {
 
@@ -34,6 +35,13 @@ class CsvWriter {
   void cell(bool value) { file_ << (value ? 1 : 0); }
   void cell(const std::string& value) { file_ << value; }
   void cell(const char* value) { file_ << value; }
+  /// One cell for each value.
+  void cell(const std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) file_ << ',';
+      cell(values[i]);
+    }
+  }
 
   void check() {
     if (!file_) throw std::runtime_error("cannot write " + path_);

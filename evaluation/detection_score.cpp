@@ -34,6 +34,7 @@ DetectionScore scoreDetection(const Rectangle& truth, const std::vector<Detected
   score.offset = std::abs(truth.normal().dot(shift));
   score.normal = std::acos(std::min(1.0, std::abs(truth.normal().dot(best.normal()))));
   score.in_plane = std::abs(std::atan2(x_in_truth.y(), x_in_truth.x()));
+  score.orientation = angleBetween(truth.pose, best.pose);
   score.width = best.width - truth.width;
   score.height = best.height - truth.height;
   score.detected = score.iou >= kMinIou && score.offset <= kMaxOffset && score.normal <= kMaxNormal;

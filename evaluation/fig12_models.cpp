@@ -31,19 +31,21 @@ const std::vector<double> kShares{0.3, 0.5};
 
 /// All that is asked about one source.
 struct Study {
+  const char* kind;  ///< logs or images
   std::function<std::unique_ptr<TrackSource>()> open;
-  std::unique_ptr<TrackSource> source;
+  SourceFacts facts;
   std::vector<CurvePoint> curve;
   std::vector<UnseenOpening> unseen;
   std::optional<IntervalCheck> halves;
 };
 
 void runStudy(int runs, Study* study) {
-  study->source = study->open();
-  study->curve = learningCurve(*study->source, runs, kFrames, kCounts);
-  if (!study->source->explainable()) return;
-  for (const double share : kShares) study->unseen.push_back(predictUnseen(*study->source, share));
-  study->halves = compareHalves(*study->source);
+  const std::unique_ptr<TrackSource> source = study->open();
+  study->facts = source->facts();
+  study->curve = learningCurve(*source, runs, kFrames, kCounts);
+  if (!study->facts.explainable) return;
+  for (const double share : kShares) study->unseen.push_back(predictUnseen(*source, share));
+  study->halves = compareHalves(*source);
 }
 
 /// `labels.csv` in the folder names the logs and their types: file,type,...
@@ -57,7 +59,7 @@ std::vector<Study> logStudies(const std::string& folder) {
   while (std::getline(labels, line)) {
     std::istringstream cells(line);
     if (!std::getline(cells, file, ',') || !std::getline(cells, type, ',')) continue;
-    studies.push_back({[=] { return openPoseLog(folder + "/" + file, file, type); }, nullptr, {}, {}, {}});
+    studies.push_back({"logs", [=] { return openPoseLog(folder + "/" + file, file, type); }, {}, {}, {}, {}});
   }
   return studies;
 }
@@ -70,56 +72,68 @@ std::vector<Study> makeStudies(const Options& options) {
       config.scene = scene;
       config.scene_seed = options.count("seed") + i;
       config.rate = 30;  // more frames than one sub-sample takes
-      studies.push_back({[=] { return trackFrames(*simulateRun(config)); }, nullptr, {}, {}, {}});
+      studies.push_back({"images", [=] { return trackFrames(*simulateRun(config)); }, {}, {}, {}, {}});
     }
   for (const std::string& folder : findSequences(options.text("sequences"), false)) {
     const Frame first = openRecordedSequence(folder)->frame(0);
     const auto moves = [](const Front& front) { return front.type != JointType::kRigid; };
     if (std::any_of(first.fronts.begin(), first.fronts.end(), moves))
-      studies.push_back({[=] { return trackFrames(*openRecordedSequence(folder)); }, nullptr, {}, {}, {}});
+      studies.push_back({"images", [=] { return trackFrames(*openRecordedSequence(folder)); }, {}, {}, {}, {}});
   }
   return studies;
 }
 
-std::string trueName(const TrackSource& source) { return source.explainable() ? modelName(source.type()) : "other"; }
+std::string trueName(const SourceFacts& facts) { return facts.explainable ? modelName(facts.type) : "other"; }
 
-double probabilityOfTruth(const CurvePoint& point, const TrackSource& source) {
-  return isRight(point.model, source) ? point.model.probabilities[static_cast<std::size_t>(point.model.type)] : 0;
+double probabilityOfTruth(const CurvePoint& point, const SourceFacts& facts) {
+  return isRight(point.model, facts) ? point.model.probabilities[static_cast<std::size_t>(point.model.type)] : 0;
 }
 
-void writeCurveSummary(const TrackSource& source, int observations, const std::vector<const CurvePoint*>& points,
-                       CsvWriter* csv) {
-  std::vector<double> right, confident, position, orientation, residual, p[3];
+std::vector<double> meanProbabilities(const std::vector<const CurvePoint*>& points) {
+  std::vector<double> result(modelRegistry().size());
+  for (const CurvePoint* point : points)
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += point->model.probabilities.at(i) / points.size();
+  return result;
+}
+
+/// p_rigid,p_prismatic,... for every type of joint.
+std::string probabilityColumns() {
+  std::string columns;
+  for (const ModelEntry& entry : modelRegistry()) columns += std::string(columns.empty() ? "p_" : ",p_") + entry.name;
+  return columns;
+}
+
+void writeCurveSummary(const SourceFacts& facts, int observations, const std::vector<const CurvePoint*>& points, CsvWriter* csv) {
+  std::vector<double> right, confident, position, orientation, residual;
   for (const CurvePoint* point : points) {
-    right.push_back(isRight(point->model, source));
-    confident.push_back(probabilityOfTruth(*point, source) > kConfident);
-    for (std::size_t i = 0; i < 3; ++i) p[i].push_back(point->model.probabilities[i]);
+    right.push_back(isRight(point->model, facts));
+    confident.push_back(probabilityOfTruth(*point, facts) > kConfident);
     position.push_back(1e3 * point->error.position);
     orientation.push_back(kDegrees * point->error.orientation);
     residual.push_back(1e3 * point->model.position_error);
   }
-  csv->row(source.name(), trueName(source), observations, static_cast<int>(points.size()), mean(right), mean(confident),
-           mean(p[0]), mean(p[1]), mean(p[2]), mean(position), standardDeviation(position),
-           source.hasOrientation() ? mean(orientation) : std::nan(""), mean(residual));
+  csv->row(facts.name, trueName(facts), observations, static_cast<int>(points.size()), mean(right), mean(confident),
+           meanProbabilities(points), mean(position), standardDeviation(position),
+           facts.has_orientation ? mean(orientation) : std::nan(""), mean(residual));
 }
 
 void writeCurves(const std::vector<Study>& studies, const Options& options) {
   CsvWriter runs(options.out("fig12_runs.csv"),
-                 "source,type,run,observations,selected,p_rigid,p_prismatic,p_rotational,error_mm,error_deg,residual_mm");
-  CsvWriter summary(options.out("fig12.csv"),
-                    "source,type,observations,runs,right_share,confident_share,p_rigid,p_prismatic,p_rotational,error_mm_mean,"
-                    "error_mm_deviation,error_deg_mean,residual_mm_mean");
+                 "source,type,run,observations,selected," + probabilityColumns() + ",error_mm,error_deg,residual_mm");
+  CsvWriter summary(options.out("fig12.csv"), "source,type,observations,runs,right_share,confident_share," +
+                                                  probabilityColumns() +
+                                                  ",error_mm_mean,error_mm_deviation,error_deg_mean,residual_mm_mean");
   for (const Study& study : studies) {
-    const TrackSource& source = *study.source;
+    const SourceFacts& facts = study.facts;
     std::map<int, std::vector<const CurvePoint*>> by_count;
     for (const CurvePoint& point : study.curve) {
       const LearnedModel& model = point.model;
-      by_count[model.observations].push_back(&point);
-      runs.row(source.name(), trueName(source), point.run, model.observations, selectedName(model), model.probabilities[0],
-               model.probabilities[1], model.probabilities[2], 1e3 * point.error.position,
-               source.hasOrientation() ? kDegrees * point.error.orientation : std::nan(""), 1e3 * model.position_error);
+      by_count[point.observations].push_back(&point);
+      runs.row(facts.name, trueName(facts), point.run, point.observations, selectedName(model), model.probabilities,
+               1e3 * point.error.position, facts.has_orientation ? kDegrees * point.error.orientation : std::nan(""),
+               1e3 * model.position_error);
     }
-    for (const auto& [count, points] : by_count) writeCurveSummary(source, count, points, &summary);
+    for (const auto& [count, points] : by_count) writeCurveSummary(facts, count, points, &summary);
   }
 }
 
@@ -130,9 +144,9 @@ void writeUnseen(const std::vector<Study>& studies, const Options& options) {
     for (const UnseenOpening& unseen : study.unseen) {
       const auto millimetres = [](const auto& error) { return error ? 1e3 * error->position : std::nan(""); };
       const auto degrees = [&](const auto& error) {
-        return error && study.source->hasOrientation() ? kDegrees * error->orientation : std::nan("");
+        return error && study.facts.has_orientation ? kDegrees * error->orientation : std::nan("");
       };
-      csv.row(study.source->name(), trueName(*study.source), unseen.share, unseen.selected ? unseen.selected->observations : 0,
+      csv.row(study.facts.name, trueName(study.facts), unseen.share, unseen.selected ? unseen.selected->observations : 0,
               unseen.selected ? selectedName(*unseen.selected) : "none", millimetres(unseen.selected_error),
               degrees(unseen.selected_error), millimetres(unseen.true_type_error), degrees(unseen.true_type_error));
     }
@@ -164,18 +178,21 @@ void writeIntervals(const std::vector<Study>& studies, const Options& options) {
     writeCoverage(name, "axis", axis, &csv);
     if (type == JointType::kRotational) writeCoverage(name, "radius", radius, &csv);
   }
-  std::vector<double> axis, radius;
-  for (const Study& study : studies) {
-    if (study.halves) axis.push_back(study.halves->axis);
-    if (study.halves && study.halves->radius) radius.push_back(*study.halves->radius);
+  for (const std::string kind : {"logs", "images"}) {
+    std::vector<double> axis, radius;
+    for (const Study& study : studies) {
+      if (study.kind != kind || !study.halves) continue;
+      axis.push_back(study.halves->axis);
+      if (study.halves->radius) radius.push_back(*study.halves->radius);
+    }
+    writeCoverage("halves_of_" + kind, "axis", axis, &csv);
+    writeCoverage("halves_of_" + kind, "radius", radius, &csv);
   }
-  writeCoverage("halves_of_sources", "axis", axis, &csv);
-  writeCoverage("halves_of_sources", "radius", radius, &csv);
 }
 
 int run(int argc, char** argv) {
   const Options options(argc, argv,
-                        {{"runs", "50"}, {"scenes", "2"}, {"fronts", "300"}, {"seed", "1"}, {"sequences", ""}, {"tracks", ""}});
+                        {{"runs", "50"}, {"scenes", "1"}, {"fronts", "300"}, {"seed", "1"}, {"sequences", ""}, {"tracks", ""}});
   cv::setNumThreads(1);  // the cores work on different sources
   std::vector<Study> studies = makeStudies(options);
   const int runs = options.count("runs");

@@ -121,10 +121,10 @@ std::optional<IntervalCheck> compareHalves(const TrackSource& source) {
       if (i * kBlocks / size % 2 == half) picked.push_back(i);
     Track track;
     source.observe(picked, [&](const Track& longer) { track = longer; });
-    for (const LearnedModel& model : ArticulationLearner(learnerConfig(source)).process({track})) halves.push_back(model);
+    for (const LearnedModel& model : ArticulationLearner(learnerConfig(source.facts())).process({track})) halves.push_back(model);
   }
-  if (halves.size() < 2 || source.type() == JointType::kRigid) return std::nullopt;
-  if (!isRight(halves[0], source) || !isRight(halves[1], source)) return std::nullopt;
+  if (halves.size() < 2 || source.facts().type == JointType::kRigid) return std::nullopt;
+  if (!isRight(halves[0], source.facts()) || !isRight(halves[1], source.facts())) return std::nullopt;
   return checkIntervals(AxisEstimate::of(halves[0]), AxisEstimate::of(halves[1]));
 }
 

@@ -25,16 +25,17 @@ std::vector<int> randomSelection(int size, int count, cv::RNG* random) {
 
 }  // namespace
 
-ArticulationConfig learnerConfig(const TrackSource& source) {
+ArticulationConfig learnerConfig(const SourceFacts& facts) {
   ArticulationConfig config;
-  config.use_orientation = source.hasOrientation();
+  config.use_orientation = facts.has_orientation;
   return config;
 }
 
 std::string selectedName(const LearnedModel& model) { return model.explained ? modelName(model.type) : "other"; }
 
-bool isRight(const LearnedModel& model, const TrackSource& source) {
-  return source.explainable() ? model.explained && model.type == source.type() : !model.explained;
+bool isRight(const LearnedModel& model, const SourceFacts& truth) {
+  if (truth.explainable) return model.explained && model.type == truth.type;
+  return !model.explained || model.type > JointType::kRotational;
 }
 
 std::vector<ReferencePose> thinnedReference(const TrackSource& source, std::size_t count) {
@@ -52,12 +53,13 @@ std::vector<CurvePoint> learningCurve(const TrackSource& source, int runs, int f
   std::vector<CurvePoint> points;
   for (int run = 0; run < runs; ++run) {
     cv::RNG random(run + 1);
-    ArticulationLearner learner(learnerConfig(source));
+    ArticulationLearner learner(learnerConfig(source.facts()));
     source.observe(randomSelection(size, picked, &random), [&](const Track& track) {
       const int count = static_cast<int>(track.observations.size());
       if (std::find(counts.begin(), counts.end(), count) == counts.end()) return;
       const std::vector<LearnedModel> models = learner.process({track});
-      if (!models.empty()) points.push_back({run, models[0], predictionError(models[0], reference)});
+      if (!models.empty())
+        points.push_back({run, count, models[0], predictionError(models[0], reference, source.facts().has_orientation)});
     });
   }
   return points;
@@ -76,16 +78,17 @@ UnseenOpening predictUnseen(const TrackSource& source, double share) {
   }
   UnseenOpening result;
   result.share = share;
-  const ArticulationConfig config = learnerConfig(source);
+  const ArticulationConfig config = learnerConfig(source.facts());
   std::optional<Track> track;
   source.observe(seen, [&](const Track& longer) { track = longer; });
   if (!track) return result;
   const std::vector<LearnedModel> selected = ArticulationLearner(config).process({*track});
   if (selected.empty()) return result;
   result.selected = selected[0];
-  result.selected_error = predictionError(selected[0], far_end);
+  result.selected_error = predictionError(selected[0], far_end, source.facts().has_orientation);
   for (const LearnedModel& model : fitAllModels(*track, config))
-    if (model.type == source.type()) result.true_type_error = predictionError(model, far_end);
+    if (model.type == source.facts().type)
+      result.true_type_error = predictionError(model, far_end, source.facts().has_orientation);
   return result;
 }
 

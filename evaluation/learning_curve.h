@@ -12,20 +12,20 @@
 namespace cabinet_articulation::core::evaluation {
 
 /// Settings for a source: positions alone count where it has no orientations.
-ArticulationConfig learnerConfig(const TrackSource& source);
+ArticulationConfig learnerConfig(const SourceFacts& facts);
 
 /// rigid, prismatic, rotational, or other if no model explains the motion.
 std::string selectedName(const LearnedModel& model);
 
 /// True if the selected answer is the source's true one.
-bool isRight(const LearnedModel& model, const TrackSource& source);
+bool isRight(const LearnedModel& model, const SourceFacts& truth);
 
 /// At most this many of the source's reference poses, evenly spaced.
 std::vector<ReferencePose> thinnedReference(const TrackSource& source, std::size_t count);
 
 /// What had been learned in one run after a number of observations.
 struct CurvePoint {
-  int run = 0;
+  int run = 0, observations = 0;
   LearnedModel model;
   PredictionError error;  ///< over the whole motion, seen or not
 };

@@ -10,24 +10,20 @@ namespace {
 
 class PoseLogSource : public TrackSource {
  public:
-  PoseLogSource(const std::string& path, const std::string& name, const std::string& type)
-      : name_(name), explainable_(type != "other"), log_(readPoseLog(path)) {
+  PoseLogSource(const std::string& path, const std::string& name, const std::string& type) : log_(readPoseLog(path)) {
     static const std::map<std::string, JointType> kTypes{{"rigid", JointType::kRigid},
                                                          {"prismatic", JointType::kPrismatic},
                                                          {"rotational", JointType::kRotational},
                                                          {"other", JointType::kRigid}};
     const auto known = kTypes.find(type);
     if (known == kTypes.end()) throw std::runtime_error(path + ": unknown type " + type);
-    type_ = known->second;
+    facts_ = {name, known->second, type != "other", log_.columns > 3};
     const Eigen::Vector3d start = log_.track.observations.at(0).rectangle.center();
     for (const TrackedObservation& observation : log_.track.observations)
       reference_.push_back({observation.rectangle, (observation.rectangle.center() - start).norm()});
   }
 
-  const std::string& name() const override { return name_; }
-  JointType type() const override { return type_; }
-  bool explainable() const override { return explainable_; }
-  bool hasOrientation() const override { return log_.columns > 3; }
+  const SourceFacts& facts() const override { return facts_; }
   const std::vector<ReferencePose>& reference() const override { return reference_; }
 
   void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const override {
@@ -40,10 +36,8 @@ class PoseLogSource : public TrackSource {
   }
 
  private:
-  std::string name_;
-  bool explainable_;
-  JointType type_;
   PoseLog log_;
+  SourceFacts facts_;
   std::vector<ReferencePose> reference_;
 };
 

@@ -9,7 +9,9 @@ namespace {
 class SimulatedRun : public FrameSource {
  public:
   explicit SimulatedRun(const SimulationConfig& config)
-      : name_("simulated_" + config.scene + "_" + std::to_string(config.scene_seed)), simulator_(config) {}
+      : name_("simulated_" + config.scene + "_" + std::to_string(config.scene_seed) +
+              (config.camera_motion > 0 ? "_moving" : "")),
+        simulator_(config) {}
 
   const std::string& name() const override { return name_; }
   const StereoCamera& camera() const override { return simulator_.camera(); }

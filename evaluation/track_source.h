@@ -17,15 +17,20 @@ struct ReferencePose {
   double opened = 0;  ///< [m] from where it started
 };
 
+/// What is known about a moving front beforehand.
+struct SourceFacts {
+  std::string name;
+  JointType type = JointType::kRigid;
+  bool explainable = true;      ///< false: moves like no joint
+  bool has_orientation = true;  ///< false: its poses are mere positions
+};
+
 /// One moving front that can be observed again and again, each time through another selection of its frames.
 class TrackSource {
  public:
   virtual ~TrackSource() = default;
 
-  virtual const std::string& name() const = 0;
-  virtual JointType type() const = 0;    ///< the truth
-  virtual bool explainable() const = 0;  ///< false: moves like no joint type
-  virtual bool hasOrientation() const = 0;
+  virtual const SourceFacts& facts() const = 0;
   virtual const std::vector<ReferencePose>& reference() const = 0;  ///< one for every frame
 
   /// Shows the frames `picked` (ascending indices into reference()) and calls `visit` with the front's track each time it
@@ -33,8 +38,8 @@ class TrackSource {
   virtual void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const = 0;
 };
 
-/// A run with images: the detector sees every frame once, the tracker sees the picked ones. The front is the one that
-/// opens farthest; the reference is its true pose in the source's world.
+/// A run with images: detector and tracker see the picked frames. The front is the one that opens farthest; the reference is
+/// its true pose in the source's world. Holds all frames.
 std::unique_ptr<TrackSource> trackFrames(FrameSource& frames);
 
 /// A log of poses in a text file (3, 7 or 9 columns). The reference is the log itself. `type` is rigid, prismatic,

@@ -27,37 +27,30 @@ std::size_t movingFront(const std::vector<Frame>& frames) {
 
 class TrackedFrames : public TrackSource {
  public:
-  explicit TrackedFrames(FrameSource& source) : name_(source.name()) {
-    Pipeline pipeline(ourVariant().config);
-    std::vector<Frame> frames;
+  explicit TrackedFrames(FrameSource& source) {
+    BlockMatcher matcher(ourVariant().config.stereo);
     for (int i = 0; i < source.size(); ++i) {
-      Frame frame = source.frame(i);
-      const PipelineResult seen = pipeline.process(frame.stamp, frame.left, frame.right, source.camera(), frame.T_world_camera);
-      detections_.push_back(transformed(seen.rectangles, frame.T_world_camera));
-      stamps_.push_back(frame.stamp);
-      frame.left.release();
-      frame.right.release();
-      frames.push_back(frame);
+      frames_.push_back(source.frame(i));
+      depth_.push_back(matcher.process(frames_.back().left, frames_.back().right, source.camera()));
     }
-    const std::size_t front = movingFront(frames);
-    type_ = frames[0].fronts[front].type;
-    for (const Frame& frame : frames) {
+    const std::size_t front = movingFront(frames_);
+    facts_ = {source.name(), frames_[0].fronts[front].type, true, true};
+    for (const Frame& frame : frames_) {
       ReferencePose pose{frame.fronts[front].rectangle, frame.fronts[front].opened};
       pose.rectangle.pose = frame.T_world_camera * pose.rectangle.pose;
       reference_.push_back(pose);
     }
   }
 
-  const std::string& name() const override { return name_; }
-  JointType type() const override { return type_; }
-  bool explainable() const override { return true; }
-  bool hasOrientation() const override { return true; }
+  const SourceFacts& facts() const override { return facts_; }
   const std::vector<ReferencePose>& reference() const override { return reference_; }
 
   void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const override {
-    RectangleTracker tracker({});
-    for (const int i : picked)
-      if (const Track* track = frontTrack(tracker.process(stamps_[i], detections_[i]), i)) visit(*track);
+    Pipeline pipeline(ourVariant().config);
+    for (const int i : picked) {
+      const PipelineResult seen = pipeline.process(frames_[i].stamp, depth_[i], frames_[i].T_world_camera);
+      if (const Track* track = frontTrack(*seen.tracks, i)) visit(*track);
+    }
   }
 
  private:
@@ -68,7 +61,7 @@ class TrackedFrames : public TrackSource {
     double best_iou = kSameFront;
     for (const Track& track : tracks) {
       const TrackedObservation& last = track.observations.back();
-      if (last.stamp != stamps_[index] || std::abs(truth.plane().distance(last.rectangle.center())) > kSamePlace) continue;
+      if (last.stamp != frames_[index].stamp || std::abs(truth.plane().distance(last.rectangle.center())) > kSamePlace) continue;
       const double iou = intersectionOverUnion(truth, last.rectangle);
       if (iou <= best_iou) continue;
       best = &track;
@@ -77,10 +70,9 @@ class TrackedFrames : public TrackSource {
     return best;
   }
 
-  std::string name_;
-  JointType type_;
-  std::vector<double> stamps_;
-  std::vector<std::vector<DetectedRectangle>> detections_;  ///< in the world
+  std::vector<Frame> frames_;
+  std::vector<DepthFrame> depth_;
+  SourceFacts facts_;
   std::vector<ReferencePose> reference_;
 };
 

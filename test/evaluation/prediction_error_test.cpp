@@ -54,6 +54,14 @@ TEST(PredictionError, MeasuresTheTurn) {
   EXPECT_NEAR(predictionError(turned, truth(door(), 0, 0.4)).orientation, 0.05, 1e-4);
 }
 
+TEST(PredictionError, WeighsPositionAgainstOrientation) {
+  std::vector<ReferencePose> slipped = truth(door(), 0.2, 0.2);
+  for (ReferencePose& pose : slipped) pose.rectangle.pose.pretranslate(0.2 * 0.05 * door().predict(0.2).linear().col(2));
+  // 10 mm along the path at a radius of 0.2 m are 0.05 rad of q, or 1 sigma; turned by as much, the front is 0.5 sigma off.
+  EXPECT_NEAR(predictionError(door(), slipped, false).orientation, 0.05, 1e-3);
+  EXPECT_NEAR(predictionError(door(), slipped).orientation, 0.04, 1e-3);
+}
+
 TEST(PredictionError, ARigidModelStaysWhereItIs) {
   LearnedModel rigid;
   rigid.origin = door().origin;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include "allocation_counter.h"
+
+namespace cabinet_articulation::core::evaluation {
+
+/// Times `work` and counts what it takes from the heap, after a first call in which buffers may grow.
+template <class Work>
+void measure(benchmark::State& state, Work&& work) {
+  benchmark::DoNotOptimize(work());
+  const Allocations before = allocations();
+  for (auto _ : state) benchmark::DoNotOptimize(work());
+  const Allocations after = allocations();
+  using benchmark::Counter;
+  state.counters["allocations"] = Counter(static_cast<double>(after.count - before.count), Counter::kAvgIterations);
+  state.counters["kB"] = Counter(static_cast<double>(after.bytes - before.bytes) / 1024, Counter::kAvgIterations);
+}
+
+}  // namespace cabinet_articulation::core::evaluation
