@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Reproduces the paper's figures: run.sh [--sequences FOLDER] [--tracks FOLDER] [OUT]
-# Writes tables (CSV) and figures (PNG) to OUT (build/figures unless given). Without folders the simulator is all it needs.
+# Writes tables (CSV), figures (PNG) and a summary.md to OUT (build/figures unless given). Without folders the simulator is all it needs.
 # Builds first if the programs are missing; CABINET_BUILD names another build folder.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -26,4 +26,5 @@ export LD_LIBRARY_PATH=$build/devel/lib:${LD_LIBRARY_PATH:-}
 "$programs/fig03_depth_error" --sequences "$sequences" "$out"
 "$programs/fig11_detection" --sequences "$sequences" "$out"
 "$programs/fig12_models" --sequences "$sequences" --tracks "$tracks" "$out"
+/usr/bin/python3 "$here/summarize.py" "$out"
 /usr/bin/python3 "$here/plot.py" "$out"

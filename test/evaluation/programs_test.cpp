@@ -53,7 +53,8 @@ class ProgramsTest : public testing::Test {
     ASSERT_EQ(run("fig03_depth_error", "--distances 1"), 0);
     ASSERT_EQ(run("fig11_detection", "--poses 8 --scenes 0 --failures " + (folder() / "failures").string()), 0);
     ASSERT_EQ(run("fig12_models", "--runs 2 --scenes 0 --fronts 5 --tracks " + folder().string()), 0);
-    ASSERT_EQ(std::system(("/usr/bin/python3 " PLOT " " + folder().string() + " >/dev/null").c_str()), 0);
+    for (const std::string script : {"/plot.py ", "/summarize.py "})
+      ASSERT_EQ(std::system(("/usr/bin/python3 " SCRIPTS + script + folder().string() + " >/dev/null").c_str()), 0);
   }
   static void TearDownTestSuite() { fs::remove_all(folder()); }
 
@@ -105,6 +106,13 @@ TEST_F(ProgramsTest, Figures) {
     ASSERT_TRUE(fs::exists(folder() / name)) << name;
     EXPECT_GT(fs::file_size(folder() / name), 10000U) << name;  // an empty plot is smaller
   }
+}
+
+TEST_F(ProgramsTest, Summary) {
+  std::ifstream file(folder() / "summary.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("| drawer.txt | prismatic | "), std::string::npos) << text;
+  EXPECT_NE(text.find("| simulated_hanging_drawer | drawer | ours | 8 | "), std::string::npos) << text;
 }
 
 TEST_F(ProgramsTest, RefuseWhatTheyDoNotKnow) {
