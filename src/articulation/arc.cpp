@@ -59,8 +59,10 @@ Arc Arc::recentered(double s) const {
   Arc arc = *this;
   arc.middle = point(s);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(curvature * s, axis()).toRotationMatrix();
-  arc.frame = turn * frame;
-  arc.orientation = turn * orientation;
+  // A path that is recentered with every new pose must not gather rounding: turning about an axis that is not quite a unit
+  // vector makes it grow.
+  arc.frame = arcFrame(turn * frame.col(0), turn * frame.col(1));
+  arc.orientation = Eigen::Quaterniond(turn * orientation).normalized();
   return arc;
 }
 

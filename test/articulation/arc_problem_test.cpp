@@ -33,6 +33,13 @@ PoseTrack noisyTrack(const Arc& arc, double noise, bool with_orientation) {
   return track;
 }
 
+TEST(Arc, StaysOrthonormalHoweverOftenItIsRecentered) {
+  Arc arc = exampleArc(2.5);
+  for (int i = 0; i < 1000; ++i) arc = arc.recentered(i % 2 ? 0.35 : -0.35);
+  EXPECT_LT((arc.frame.transpose() * arc.frame - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  EXPECT_LT((arc.orientation.transpose() * arc.orientation - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+}
+
 TEST(Arc, PosesGoRoundTheCentre) {
   const Arc arc = exampleArc(2.5);
   for (const double s : {-0.7, -0.1, 0.0, 0.3, 1.1}) {
