@@ -13,6 +13,7 @@ namespace {
 std::optional<Continuation> continueFrom(const Rectangle& reference, double seconds, const DetectedRectangle& detection,
                                          const FrontSize& size, const TrackingConfig& config) {
   std::optional<Continuation> best;
+  if ((reference.center() - detection.rectangle.center()).norm() > reach(reference, seconds, config)) return best;
   for (int k = 0; k < kDescriptions; ++k) {
     const DetectedRectangle described = describe(detection, k);
     if (!size.fits(described, config)) continue;

@@ -17,7 +17,17 @@ bool within(const Eigen::Vector3d& shift, const Eigen::Vector3d& limits) {
   return (shift.cwiseAbs().array() <= limits.array()).all();
 }
 
+/// [m] along the normal.
+double farthestPull(double seconds, const TrackingConfig& config) {
+  return std::min(config.position_tolerance + config.max_speed * seconds, kLongestPull);
+}
+
 }  // namespace
+
+double reach(const Rectangle& from, double seconds, const TrackingConfig& config) {
+  // A swing moves the centre by at most a diagonal, and the visible part of a front lies up to a diagonal off its centre.
+  return farthestPull(seconds, config) + 2 * config.position_tolerance + 2 * std::hypot(from.width, from.height);
+}
 
 std::optional<double> motionDistance(const Rectangle& from, const Rectangle& to, double seconds, const TrackingConfig& config) {
   // Everything in the axes of the front where it was.
@@ -41,7 +51,7 @@ std::optional<double> motionDistance(const Rectangle& from, const Rectangle& to,
     const Eigen::Vector3d slip = shift + turn * hinge_to - hinge_from;
     if (within(slip, limits)) unexplained = std::min(unexplained, slip.norm());
   }
-  limits.z() = std::min(tolerance + config.max_speed * seconds, kLongestPull);
+  limits.z() = farthestPull(seconds, config);
   if (tilt <= config.angle_tolerance && within(shift, limits)) unexplained = std::min(unexplained, shift.head<2>().norm());
   if (!std::isfinite(unexplained)) return std::nullopt;
   return std::hypot(unexplained, kFreeMotion * cornerDistance(from, to));

@@ -19,6 +19,7 @@ constexpr double kUsualDistance = 0.02;      ///< [m] of a detection from its tr
 constexpr double kNewTrackDistance = 0.2;    ///< [m] a rectangle farther from every track rather is a new front
 constexpr double kProposedSigma = 0.03;      ///< [m] of a size good enough to be searched for
 constexpr double kTentativeDistance = 0.03;  ///< [m] of two tracks equally near, the confirmed one is right
+constexpr int kJudgedFrames = 15;            ///< a presence over fewer frames says little
 constexpr double kResizeStep = 0.002;        ///< [m] smaller changes of the size are not worth placing the history anew
 constexpr double kRotationTolerance = 1e-3;  ///< entries of R R^T - I of a pose that is meant to be a rotation
 
@@ -64,7 +65,7 @@ RectangleTracker::RectangleTracker(const TrackingConfig& config)
 
 void RectangleTracker::reset() {
   tracks_.clear();
-  sizes_.clear();
+  memories_.clear();
   last_stamp_ = -std::numeric_limits<double>::infinity();
 }
 
@@ -76,7 +77,7 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
   std::copy_if(rectangles.begin(), rectangles.end(), std::back_inserter(usable), isUsable);
   const std::vector<int> track_of = assignRectangles(stamp, usable);
   for (size_t i = 0; i < usable.size(); ++i)
-    if (track_of[i] != kNone) append(stamp, usable[i], tracks_[track_of[i]], sizes_[track_of[i]]);
+    if (track_of[i] != kNone) append(stamp, usable[i], tracks_[track_of[i]], memories_[track_of[i]]);
   startTracks(stamp, usable, track_of);
   return tracks_;
 }
@@ -85,7 +86,7 @@ std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
   std::vector<Rectangle> places;
   for (size_t i = 0; i < tracks_.size(); ++i) {
     const Track& track = tracks_[i];
-    const KnownSize size = sizes_[i].known(config_);
+    const KnownSize size = memories_[i].size.known(config_);
     const bool lost = last_stamp_ - track.observations.back().stamp > config_.tentative_timeout;
     if (!isConfirmed(track) || lost || size.sigma.maxCoeff() > kProposedSigma) continue;
     places.push_back(extrapolate(track.observations, stamp, config_.prediction_horizon));
@@ -95,6 +96,10 @@ std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
   return places;
 }
 
+bool RectangleTracker::flickers(const Memory& memory) const {
+  return memory.frames >= kJudgedFrames && memory.seen < config_.min_presence * memory.frames;
+}
+
 bool RectangleTracker::isConfirmed(const Track& track) const {
   return track.observations.size() >= static_cast<size_t>(config_.confirmed_after);
 }
@@ -102,16 +107,18 @@ bool RectangleTracker::isConfirmed(const Track& track) const {
 void RectangleTracker::endTracks(double stamp) {
   size_t kept = 0;
   for (size_t i = 0; i < tracks_.size(); ++i) {
+    ++memories_[i].unseen;
     const double unseen = stamp - tracks_[i].observations.back().stamp;
-    if (unseen > (isConfirmed(tracks_[i]) ? config_.timeout : std::min(config_.timeout, config_.tentative_timeout))) continue;
+    const double timeout = isConfirmed(tracks_[i]) ? config_.timeout : std::min(config_.timeout, config_.tentative_timeout);
+    if (unseen > timeout || flickers(memories_[i])) continue;
     if (kept != i) {
       tracks_[kept] = std::move(tracks_[i]);
-      sizes_[kept] = std::move(sizes_[i]);
+      memories_[kept] = std::move(memories_[i]);
     }
     ++kept;
   }
   tracks_.resize(kept);
-  sizes_.resize(kept);
+  memories_.resize(kept);
 }
 
 std::vector<int> RectangleTracker::assignRectangles(double stamp, const std::vector<DetectedRectangle>& rectangles) const {
@@ -119,18 +126,22 @@ std::vector<int> RectangleTracker::assignRectangles(double stamp, const std::vec
   Eigen::MatrixXd costs(rectangles.size(), tracks_.size());
   for (size_t i = 0; i < rectangles.size(); ++i) {
     for (size_t j = 0; j < tracks_.size(); ++j) {
-      const auto found = findContinuation(tracks_[j], sizes_[j], rectangles[i], stamp, config_);
+      const auto found = findContinuation(tracks_[j], memories_[j].size, rectangles[i], stamp, config_);
       costs(i, j) = found ? cost(found->distance + (isConfirmed(tracks_[j]) ? 0 : kTentativeDistance)) : kForbidden;
     }
   }
   return assignRows(costs, cost(kNewTrackDistance));
 }
 
-void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, FrontSize& size) {
-  const Continuation found = *findContinuation(track, size, rectangle, stamp, config_);
+void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, Memory& memory) {
+  const Continuation found = *findContinuation(track, memory.size, rectangle, stamp, config_);
   const DetectedRectangle& measured = found.measured;
-  size.add(measured);
-  const KnownSize known = size.known(config_);
+  const bool absent = stamp - track.observations.back().stamp > config_.tentative_timeout;
+  memory.frames += absent ? 1 : memory.unseen;
+  memory.unseen = 0;
+  ++memory.seen;
+  memory.size.add(measured);
+  const KnownSize known = memory.size.known(config_);
   const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep;
   if (resized) {
     track.width = known.value.x();
@@ -166,8 +177,8 @@ void RectangleTracker::startTracks(double stamp, const std::vector<DetectedRecta
     track.observations.push_back(
         {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
     tracks_.push_back(std::move(track));
-    sizes_.emplace_back();
-    sizes_.back().add(detection);
+    memories_.emplace_back();
+    memories_.back().size.add(detection);
   }
 }
 

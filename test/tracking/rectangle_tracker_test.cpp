@@ -211,6 +211,26 @@ TEST(RectangleTracker, ClutterEndsFastAndFrontsAfterTheTimeout) {
   EXPECT_EQ(tracker.tracks()[0].id, 3u);
 }
 
+TEST(RectangleTracker, WhatFlickersEnds) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(33);
+  std::uint32_t newest = 0;
+  for (int i = 1; i <= 90; ++i) {
+    std::vector<DetectedRectangle> seen{detect(closedFront())};
+    if (i % 4 == 0) seen.push_back(detect(closedFront(1, 0.3, 0.1)));
+    if (i % 2 == 0) seen.push_back(detect(closedFront(2, 0.3, 0.4)));
+    tracker.process(i * kFrame, seen);
+    ASSERT_EQ(tracker.tracks()[0].id, 0u);
+    newest = std::max(newest, tracker.tracks().back().id);
+    for (const Track& track : tracker.tracks())
+      EXPECT_TRUE(track.id == 0 || track.width * track.height > 0.05 || track.observations.size() <= 6) << i;
+  }
+  EXPECT_GT(newest, 3u) << "the flickering piece got several short tracks, the one seen every other frame only one";
+  EXPECT_EQ(std::count_if(tracker.tracks().begin(), tracker.tracks().end(),
+                          [](const Track& track) { return track.observations.size() == 45; }),
+            1);
+}
+
 TEST(RectangleTracker, ProposesOnlySizesThatWereObserved) {
   RectangleTracker tracker({});
   NoisyDetector detect(30);

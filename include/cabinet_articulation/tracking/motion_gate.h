@@ -17,6 +17,9 @@ namespace cabinet_articulation::core {
 /// fast pull.
 std::optional<double> motionDistance(const Rectangle& from, const Rectangle& to, double seconds, const TrackingConfig& config);
 
+/// No detection of the front lies farther from its last place than this [m], whatever part of it was seen. Cheap.
+double reach(const Rectangle& from, double seconds, const TrackingConfig& config);
+
 /// Root mean square distance of corresponding corners [m]: position, orientation and size in one number.
 double cornerDistance(const Rectangle& a, const Rectangle& b);
 

@@ -39,15 +39,24 @@ class RectangleTracker {
   void reset();
 
  private:
+  /// What a track remembers beside its observations. Thinning the history does not touch it.
+  struct Memory {
+    FrontSize size;
+    int seen = 1;    ///< frames
+    int frames = 1;  ///< since the first one, without absences
+    int unseen = 0;  ///< frames since the last one
+  };
+
   bool isConfirmed(const Track& track) const;
+  bool flickers(const Memory& memory) const;
   void endTracks(double stamp);
   std::vector<int> assignRectangles(double stamp, const std::vector<DetectedRectangle>& rectangles) const;
-  void append(double stamp, const DetectedRectangle& rectangle, Track& track, FrontSize& size);
+  void append(double stamp, const DetectedRectangle& rectangle, Track& track, Memory& memory);
   void startTracks(double stamp, const std::vector<DetectedRectangle>& rectangles, const std::vector<int>& track_of);
 
   TrackingConfig config_;
   std::vector<Track> tracks_;
-  std::vector<FrontSize> sizes_;  ///< parallel to tracks_
+  std::vector<Memory> memories_;  ///< parallel to tracks_
   double last_stamp_;
   std::uint32_t next_id_ = 0;
 };

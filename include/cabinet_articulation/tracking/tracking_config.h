@@ -9,7 +9,8 @@ struct TrackingConfig {
   double timeout = 20;
   double tentative_timeout = 1;
   int confirmed_after = 3;
-  double position_tolerance = 0.05;
+  double min_presence = 0.4;
+  double position_tolerance = 0.03;
   double angle_tolerance = 0.39;
   double twist_tolerance = 0.25;
   double size_tolerance = 0.04;
@@ -17,7 +18,7 @@ struct TrackingConfig {
   double max_speed = 1;
   double max_turn_rate = 3;
   double prediction_horizon = 0.3;
-  double min_edge_support = 0.5;
+  double min_edge_support = 0.55;
   int max_observations = 1000;
 
   template <class Self, class Visitor>
@@ -26,6 +27,9 @@ struct TrackingConfig {
     visit("tentative_timeout", self.tentative_timeout, Range{0, 1e6}, "s",
           "the same for a track that is not confirmed yet (ours: clutter flickers)");
     visit("confirmed_after", self.confirmed_after, Range{1, 1000}, "", "observations that confirm a track");
+    visit("min_presence", self.min_presence, Range{0, 1}, "",
+          "a track that is seen in fewer of its frames ends, absences of more than tentative_timeout aside (ours: pieces of "
+          "corners flicker, fronts are seen in nearly every frame)");
     visit("position_tolerance", self.position_tolerance, Range{0.001, 10}, "m",
           "jump along the front's plane that still is the same front (original release: 0.20 in every direction)");
     visit("angle_tolerance", self.angle_tolerance, Range{0.01, 3.2}, "rad",
@@ -40,7 +44,8 @@ struct TrackingConfig {
     visit("max_turn_rate", self.max_turn_rate, Range{0.01, 100}, "rad/s", "fastest swing of a door while it is not seen");
     visit("prediction_horizon", self.prediction_horizon, Range{0, 10}, "s",
           "a motion is extrapolated for this long at constant velocity");
-    visit("min_edge_support", self.min_edge_support, Range{0, 1}, "", "observed share from which on an edge places the front");
+    visit("min_edge_support", self.min_edge_support, Range{0, 1}, "",
+          "observed share from which on an edge places the front (ours: more than half, which also an undecided edge has)");
     visit("max_observations", self.max_observations, Range{16, 1000000}, "",
           "a longer history is thinned out where the front moved least");
   }
