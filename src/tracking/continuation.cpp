@@ -16,8 +16,8 @@ std::optional<Continuation> continueFrom(const Rectangle& reference, double seco
   if ((reference.center() - detection.rectangle.center()).norm() > reach(reference, seconds, config)) return best;
   for (int k = 0; k < kDescriptions; ++k) {
     const DetectedRectangle described = describe(detection, k);
-    if (!size.fits(described, config)) continue;
-    const Rectangle placed = placeOnObservedEdges(described, size.known(config), &reference, config.min_edge_support).rectangle;
+    if (!size.fits(described)) continue;
+    const Rectangle placed = placeRectangle(described, size.known(), &reference, config);
     const std::optional<double> distance = motionDistance(reference, placed, seconds, config);
     if (distance && (!best || *distance < best->distance)) best = Continuation{*distance, described, reference};
   }

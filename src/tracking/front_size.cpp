@@ -7,49 +7,58 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kAnyFront = 0.3;  ///< [m] sigma of the size of a front nobody has seen
+constexpr double kAnyFront = 0.3;       ///< [m] sigma of the size of a front nobody has seen
+constexpr double kHardlySeen = 0.1;     ///< weight of a length, the best being 1
+constexpr double kHardlySeenSum = 1.0;  ///< hours of a half hidden front must not outweigh a minute of a visible one
 
-/// Share of an axis that was observed.
-double axisSupport(const DetectedRectangle& detection, int axis) {
-  return static_cast<double>(detection.edge_support[2 * axis]) * detection.edge_support[2 * axis + 1];
+/// Of the distance between the two edges of an axis [m].
+double lengthSigma(const DetectedRectangle& detection, int axis, const TrackingConfig& config) {
+  return Eigen::Vector2d(edgeSigma(detection.edge_support[2 * axis], config),
+                         edgeSigma(detection.edge_support[2 * axis + 1], config))
+      .norm();
 }
 
-bool bothEdgesObserved(const DetectedRectangle& detection, int axis, double min_support) {
-  return std::min(detection.edge_support[2 * axis], detection.edge_support[2 * axis + 1]) >= min_support;
-}
+double bestSigma(const TrackingConfig& config) { return std::sqrt(2) * config.edge_sigma; }
 
 double measuredLength(const DetectedRectangle& detection, int axis) {
   return axis == 0 ? detection.rectangle.width : detection.rectangle.height;
 }
 
-/// What any front is like, and the median of as many lengths as were observed; the first ones are trusted little.
+/// What any front is like, and the best observed length: edges err together over a track, so many frames say no more than
+/// one. But the first ones may all be wrong.
 double sigma(const LengthEstimate& length, const TrackingConfig& config) {
-  const double prior = config.first_size_sigma * config.first_size_sigma;
-  const double weight = length.weight();
-  const double variance = (prior + weight * length.spread() * length.spread()) / (1 + weight);  // of one length
-  return 1 / std::sqrt(1 / (kAnyFront * kAnyFront) + weight / variance);
+  const double observed = std::pow(bestSigma(config) / std::max(length.bestWeight(), 1e-6), 2);
+  const double count = std::max(length.count(), 1.0);
+  const double first = std::pow(config.first_size_sigma / count, 2);
+  const double spread = std::pow(length.spread(), 2) / count;
+  return 1 / std::sqrt(1 / (kAnyFront * kAnyFront) + 1 / (observed + first + spread));
 }
 
 }  // namespace
 
 void FrontSize::add(const DetectedRectangle& detection) {
-  for (int axis = 0; axis < 2; ++axis) lengths_[axis].add(measuredLength(detection, axis), axisSupport(detection, axis));
+  for (int axis = 0; axis < 2; ++axis) {
+    // Weights of a median go with 1 / sigma (noise with heavy tails), those of a mean would with its square.
+    double weight = bestSigma(config_) / lengthSigma(detection, axis, config_);
+    if (weight < kHardlySeen) {
+      weight = std::min(weight, kHardlySeenSum - hardly_seen_[axis]);
+      hardly_seen_[axis] += weight;
+    }
+    lengths_[axis].add(measuredLength(detection, axis), weight);
+    known_.value[axis] = lengths_[axis].median();
+    known_.sigma[axis] = sigma(lengths_[axis], config_);
+  }
 }
 
-bool FrontSize::fits(const DetectedRectangle& detection, const TrackingConfig& config) const {
+bool FrontSize::fits(const DetectedRectangle& detection) const {
   for (int axis = 0; axis < 2; ++axis) {
     const double measured = measuredLength(detection, axis);
-    const double known = lengths_[axis].median();
-    const bool observed = bothEdgesObserved(detection, axis, config.min_edge_support);
-    const double tolerance = config.size_tolerance + 2 * sigma(lengths_[axis], config);
-    if (observed && std::abs(measured - known) > std::min(tolerance, known / 2)) return false;
-    if (!observed && (measured < known / 3 || measured > known * 2)) return false;
+    const double known = known_.value[axis];
+    const double tolerance =
+        config_.size_tolerance + 2 * Eigen::Vector2d(known_.sigma[axis], lengthSigma(detection, axis, config_)).norm();
+    if (std::abs(measured - known) > tolerance || measured < known / 3 || measured > known * 2) return false;
   }
   return true;
-}
-
-KnownSize FrontSize::known(const TrackingConfig& config) const {
-  return {{lengths_[0].median(), lengths_[1].median()}, {sigma(lengths_[0], config), sigma(lengths_[1], config)}};
 }
 
 }  // namespace cabinet_articulation::core

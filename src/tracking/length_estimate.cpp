@@ -12,19 +12,26 @@ constexpr double kLeastWeight = 1e-6;  ///< small enough that a million unseen e
 }  // namespace
 
 void LengthEstimate::add(double length, double weight) {
-  histogram_[static_cast<int>(std::min(length, kLongest) / kBin)] += std::max(weight, kLeastWeight);
+  weight = std::max(weight, kLeastWeight);
+  histogram_[static_cast<int>(std::min(length, kLongest) / kBin)] += weight;
+  best_weight_ = std::max(best_weight_, weight);
   weight_ += weight;
+  squares_ += weight * weight;
+  const double step = length - mean_;
+  mean_ += step * weight / weight_;
+  deviation_ += weight * step * (length - mean_);
 }
 
-double LengthEstimate::quantile(double share) const {
-  double total = 0;
-  for (const auto& bin : histogram_) total += bin.second;
-  double below = 0;
+double LengthEstimate::spread() const { return weight_ > 0 ? std::sqrt(std::max(deviation_, 0.0) / weight_) : 0; }
+
+double LengthEstimate::median() const {
+  double half = 0;
+  for (const auto& bin : histogram_) half += bin.second / 2;
   for (const auto& [index, weight] : histogram_) {
-    if (below + weight >= share * total) return (index + (share * total - below) / weight) * kBin;
-    below += weight;
+    if (weight >= half) return (index + half / weight) * kBin;
+    half -= weight;
   }
-  return histogram_.empty() ? 0 : (histogram_.rbegin()->first + 1) * kBin;
+  return 0;
 }
 
 }  // namespace cabinet_articulation::core

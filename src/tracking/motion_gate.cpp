@@ -26,7 +26,7 @@ double farthestPull(double seconds, const TrackingConfig& config) {
 
 double reach(const Rectangle& from, double seconds, const TrackingConfig& config) {
   // A swing moves the centre by at most a diagonal, and the visible part of a front lies up to a diagonal off its centre.
-  return farthestPull(seconds, config) + 2 * config.position_tolerance + 2 * std::hypot(from.width, from.height);
+  return farthestPull(seconds, config) + 2 * config.position_tolerance + 2 * Eigen::Vector2d(from.width, from.height).norm();
 }
 
 std::optional<double> motionDistance(const Rectangle& from, const Rectangle& to, double seconds, const TrackingConfig& config) {

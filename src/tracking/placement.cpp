@@ -2,20 +2,15 @@
 #include "cabinet_articulation/tracking/placement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kAgreement = 0.025;   ///< [m] two observed edges may miss the front's length by this much (twice 90 % of edges)
-constexpr double kUnseenSlack = 0.05;  ///< [m] a front without any observed edge along an axis may slide this far unnoticed
-constexpr double kEdgeSigma = 0.005;   ///< [m] of one observed edge
-
-struct Length {
-  double value;
-  double sigma;
-};
+constexpr double kWellSeen = 0.8;       ///< share of an edge beyond which more of it places it no better
+constexpr double kContradiction = 3.0;  ///< standard deviations of an axis' length; beyond, one of its edges is wrong
 
 /// Along one axis: how far the centre has to be shifted, the length there, and the variance of the centre [m, m, m^2].
 struct Extent {
@@ -24,17 +19,48 @@ struct Extent {
   double variance;
 };
 
-/// `expected` is the shift that would mean no motion.
-Extent placeAlong(double measured, const Length& known, std::pair<float, float> support, double expected, double variance,
-                  double min_support) {
-  const bool minus_seen = support.first >= min_support;
-  const bool plus_seen = support.second >= min_support;
-  const double excess = measured - known.value;
-  if (minus_seen != plus_seen)
-    return {plus_seen ? excess / 2 : -excess / 2, known.value, kEdgeSigma * kEdgeSigma + known.sigma * known.sigma / 4};
-  if (minus_seen && std::abs(excess) <= kAgreement) return {0, measured, variance};
-  const double slack = minus_seen ? std::abs(excess) / 2 : std::max(std::abs(excess) / 2, kUnseenSlack);
-  return {std::clamp(expected, -slack, slack), known.value, std::max(variance, slack * slack / 3)};
+/// Two edges and the known length between them, by least squares. `excess` is the measured length beyond the known one.
+Extent placeAlong(double excess, double known, double known_sigma, Eigen::Vector2d edge_variances) {
+  const double prior = known_sigma * known_sigma;
+  const double contradiction = excess * excess - kContradiction * kContradiction * (edge_variances.sum() + prior);
+  if (contradiction > 0) edge_variances *= 1 + contradiction / edge_variances.sum();
+  const double edges = edge_variances.sum();
+  const double total = edges + prior;
+  const double imbalance = edge_variances[0] - edge_variances[1];
+  return {imbalance / (2 * total) * excess, known + prior / total * excess, edges / 4 - imbalance * imbalance / (4 * total)};
+}
+
+/// The same, and the centre expected at `shift`.
+Extent heldBack(Extent extent, double shift, double sigma) {
+  const double gain = extent.variance / (extent.variance + sigma * sigma);
+  extent.shift += gain * (shift - extent.shift);
+  extent.variance *= 1 - gain;
+  return extent;
+}
+
+/// Along x and along y of the detection.
+std::array<Extent, 2> placeAlongAxes(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
+                                     const TrackingConfig& config) {
+  const Rectangle& rectangle = detection.rectangle;
+  const double measured[] = {rectangle.width, rectangle.height};
+  std::array<Extent, 2> extents;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d sigmas(edgeSigma(detection.edge_support[2 * axis], config),
+                                 edgeSigma(detection.edge_support[2 * axis + 1], config));
+    const double known = size.value[axis];
+    extents[axis] = placeAlong(measured[axis] - known, known, size.sigma[axis], sigmas.cwiseAbs2());
+    if (!expected) continue;
+    const double motion = rectangle.pose.linear().col(axis).dot(expected->center() - rectangle.center());
+    extents[axis] = heldBack(extents[axis], motion, config.position_tolerance);
+  }
+  return extents;
+}
+
+Rectangle shifted(Rectangle rectangle, const std::array<Extent, 2>& extents) {
+  rectangle.pose.translate(Eigen::Vector3d(extents[0].shift, extents[1].shift, 0));
+  rectangle.width = extents[0].length;
+  rectangle.height = extents[1].length;
+  return rectangle;
 }
 
 }  // namespace
@@ -49,31 +75,30 @@ DetectedRectangle describe(const DetectedRectangle& detection, int k) {
   return result;
 }
 
+double edgeSigma(double support, const TrackingConfig& config) {
+  const double unseen = std::clamp(1 - support / kWellSeen, 0.0, 1.0);
+  return config.edge_sigma * std::pow(config.unseen_edge_sigma / config.edge_sigma, unseen);
+}
+
+Rectangle placeRectangle(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
+                         const TrackingConfig& config) {
+  return shifted(detection.rectangle, placeAlongAxes(detection, size, expected, config));
+}
+
 DetectedRectangle placeOnObservedEdges(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
-                                       double min_support) {
-  DetectedRectangle placed = detection;
-  const Eigen::Matrix3d& axes = detection.rectangle.pose.linear();
-  const Eigen::Vector2d measured(detection.rectangle.width, detection.rectangle.height);
-  Eigen::Vector3d unmoved = Eigen::Vector3d::Zero();
-  if (expected) unmoved = axes.transpose() * (expected->center() - detection.rectangle.center());
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = axes.transpose() * detection.covariance.topLeftCorner<3, 3>() * axes;
-  Eigen::Vector2d length;
+                                       const TrackingConfig& config) {
+  const std::array<Extent, 2> extents = placeAlongAxes(detection, size, expected, config);
+  Matrix6d axes = Matrix6d::Zero();
+  axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = detection.rectangle.pose.linear();
+  Matrix6d covariance = axes.transpose() * detection.covariance * axes;
   for (int axis = 0; axis < 2; ++axis) {
-    const auto support = std::make_pair(detection.edge_support[2 * axis], detection.edge_support[2 * axis + 1]);
-    const Extent extent = placeAlong(measured[axis], {size.value[axis], size.sigma[axis]}, support, unmoved[axis],
-                                     covariance(axis, axis), min_support);
-    shift[axis] = extent.shift;
-    length[axis] = extent.length;
-    if (extent.variance == covariance(axis, axis)) continue;
     covariance.row(axis).setZero();
     covariance.col(axis).setZero();
-    covariance(axis, axis) = extent.variance;
+    covariance(axis, axis) = extents[axis].variance;
   }
-  placed.rectangle.pose.translation() += axes * shift;
-  placed.rectangle.width = length.x();
-  placed.rectangle.height = length.y();
-  placed.covariance.topLeftCorner<3, 3>() = axes * covariance * axes.transpose();
+  DetectedRectangle placed = detection;
+  placed.rectangle = shifted(detection.rectangle, extents);
+  placed.covariance = axes * covariance * axes.transpose();
   return placed;
 }
 

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tracking/synthetic_fronts.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kMinSupport = 0.5;
+const TrackingConfig kConfig;
 
 DetectedRectangle seen(const Rectangle& front) {
   DetectedRectangle detection;
@@ -40,24 +42,33 @@ TEST(Placement, DescriptionsCarryTheirEdgesAlong) {
   }
 }
 
+TEST(Placement, EdgesAreAsCertainAsTheyWereObserved) {
+  EXPECT_NEAR(edgeSigma(0, kConfig), kConfig.unseen_edge_sigma, 1e-12);
+  EXPECT_NEAR(edgeSigma(0.4, kConfig), std::sqrt(kConfig.unseen_edge_sigma * kConfig.edge_sigma), 1e-12) << "half way";
+  EXPECT_NEAR(edgeSigma(0.8, kConfig), kConfig.edge_sigma, 1e-12);
+  EXPECT_EQ(edgeSigma(1, kConfig), kConfig.edge_sigma);
+}
+
 TEST(Placement, TheObservedEdgeDecides) {
   const Rectangle front = swung(closedFront(), 0.7);
   for (int edge = 0; edge < 4; ++edge) {
     const DetectedRectangle cut = withHiddenEdge(seen(front), static_cast<Edge>(edge), 0.15);
-    const Rectangle placed = placeOnObservedEdges(cut, sizeOf(front), nullptr, kMinSupport).rectangle;
-    EXPECT_LT((placed.center() - front.center()).norm(), 1e-9) << edge;
-    EXPECT_NEAR(placed.width, front.width, 1e-12);
-    EXPECT_NEAR(placed.height, front.height, 1e-12);
+    const Rectangle placed = placeOnObservedEdges(cut, {sizeOf(front).value, {0.002, 0.002}}, nullptr, kConfig).rectangle;
+    EXPECT_LT((placed.center() - front.center()).norm(), 1e-4) << edge << ": the hidden edge weighs 10^-4";
+    EXPECT_NEAR(placed.width, front.width, 1e-4);
+    EXPECT_NEAR(placed.height, front.height, 1e-4);
   }
 }
 
 TEST(Placement, TwoAgreeingEdgesStayWhereTheyWereSeen) {
   DetectedRectangle detection = seen(closedFront());
   detection.rectangle.width += 0.01;
-  const DetectedRectangle placed = placeOnObservedEdges(detection, sizeOf(closedFront()), nullptr, kMinSupport);
+  const DetectedRectangle placed = placeOnObservedEdges(detection, sizeOf(closedFront()), nullptr, kConfig);
   EXPECT_LT((placed.rectangle.center() - detection.rectangle.center()).norm(), 1e-12);
-  EXPECT_EQ(placed.rectangle.width, detection.rectangle.width);
-  EXPECT_TRUE(placed.covariance.isApprox(detection.covariance));
+  EXPECT_GT(placed.rectangle.width, closedFront().width);
+  EXPECT_LT(placed.rectangle.width, detection.rectangle.width) << "between what is known and what was measured";
+  const double edges = kConfig.edge_sigma * kConfig.edge_sigma / 2;  // of the mean of two edges
+  EXPECT_NEAR(placed.covariance(0, 0), edges, 1e-12);
 }
 
 TEST(Placement, ContradictingEdgesDoNotLookLikeMotion) {
@@ -65,10 +76,11 @@ TEST(Placement, ContradictingEdgesDoNotLookLikeMotion) {
   DetectedRectangle merged = seen(front);  // 12 cm too wide at +x, and sure of it
   merged.rectangle.pose.translate(Eigen::Vector3d(0.06, 0, 0));
   merged.rectangle.width += 0.12;
-  const DetectedRectangle placed = placeOnObservedEdges(merged, sizeOf(front), &front, kMinSupport);
-  EXPECT_LT((placed.rectangle.center() - front.center()).norm(), 1e-9);
+  const DetectedRectangle placed = placeOnObservedEdges(merged, sizeOf(front), &front, kConfig);
+  const double error = (placed.rectangle.center() - front.center()).norm();
+  EXPECT_LT(error, 0.06 / 4);
   const Eigen::Vector3d x = front.pose.linear().col(0);
-  EXPECT_NEAR(x.dot(placed.covariance.topLeftCorner<3, 3>() * x), 0.06 * 0.06 / 3, 1e-9) << "uniform over +-6 cm";
+  EXPECT_GT(x.dot(placed.covariance.topLeftCorner<3, 3>() * x), error * error) << "and the covariance says so";
 }
 
 TEST(Placement, UnseenEdgesStayWhereTheyWere) {
@@ -76,25 +88,38 @@ TEST(Placement, UnseenEdgesStayWhereTheyWere) {
   DetectedRectangle slid = seen(pulled(front, 0.1));
   slid.rectangle.pose.translate(Eigen::Vector3d(0.03, 0, 0));
   slid.edge_support = {0, 0, 1, 1};
-  const Rectangle placed = placeOnObservedEdges(slid, sizeOf(front), &front, kMinSupport).rectangle;
-  EXPECT_LT((placed.center() - pulled(front, 0.1).center()).norm(), 1e-9) << "the motion along the normal was seen";
+  const DetectedRectangle placed = placeOnObservedEdges(slid, sizeOf(front), &front, kConfig);
+  const Eigen::Vector3d error = placed.rectangle.center() - pulled(front, 0.1).center();
+  EXPECT_LT(error.norm(), 0.003) << "a tenth of the slide; the motion along the normal was seen";
+  EXPECT_GT(placed.covariance(0, 0), 0.02 * 0.02);
+  EXPECT_LT(placed.covariance(1, 1), 0.002 * 0.002);
+}
+
+TEST(Placement, ASeenEdgeIsNotHeldBack) {
+  const Rectangle front = closedFront();
+  DetectedRectangle moved = seen(front);
+  moved.rectangle.pose.translate(Eigen::Vector3d(0.03, 0, 0));
+  moved.edge_support = {0, 1, 1, 1};
+  const KnownSize size{sizeOf(front).value, {0.002, 0.002}};
+  const Rectangle placed = placeOnObservedEdges(moved, size, &front, kConfig).rectangle;
+  EXPECT_LT((placed.center() - moved.rectangle.center()).norm(), 0.001) << "2 mm against 30 mm: a hundredth";
 }
 
 TEST(Placement, AnUncertainSizeMakesAnUncertainPlace) {
   const DetectedRectangle cut_x = withHiddenEdge(seen(closedFront()), kEdgePlusX, 0.1);
   const DetectedRectangle cut_y = withHiddenEdge(seen(closedFront()), kEdgePlusY, 0.1);
-  const auto variance = [](const DetectedRectangle& cut, int axis) {
+  const auto sigma = [](const DetectedRectangle& cut, int axis) {
     const Eigen::Vector3d direction = cut.rectangle.pose.linear().col(axis);
-    const DetectedRectangle placed = placeOnObservedEdges(cut, sizeOf(closedFront()), nullptr, kMinSupport);
-    return direction.dot(placed.covariance.topLeftCorner<3, 3>() * direction);
+    const DetectedRectangle placed = placeOnObservedEdges(cut, sizeOf(closedFront()), nullptr, kConfig);
+    return std::sqrt(direction.dot(placed.covariance.topLeftCorner<3, 3>() * direction));
   };
-  EXPECT_NEAR(variance(cut_x, 0), 0.005 * 0.005 + 0.002 * 0.002, 1e-12) << "the edge, and half of the size";
-  EXPECT_NEAR(variance(cut_y, 1), 0.005 * 0.005 + 0.15 * 0.15, 1e-12);
+  EXPECT_NEAR(sigma(cut_x, 0), std::hypot(kConfig.edge_sigma, 0.002), 1e-5) << "the edge, and half of the size";
+  EXPECT_NEAR(sigma(cut_y, 1), 0.5 / std::hypot(1 / 0.2, 1 / 0.3), 1e-3) << "nothing but guesses";
 }
 
 TEST(Placement, NormalDirectionOfTheCovarianceIsKept) {
   DetectedRectangle cut = withHiddenEdge(seen(swung(closedFront(), 0.5)), kEdgePlusX, 0.1);
-  const DetectedRectangle placed = placeOnObservedEdges(cut, sizeOf(closedFront()), nullptr, kMinSupport);
+  const DetectedRectangle placed = placeOnObservedEdges(cut, sizeOf(closedFront()), nullptr, kConfig);
   const Eigen::Vector3d normal = cut.rectangle.normal();
   EXPECT_NEAR(normal.dot(placed.covariance.topLeftCorner<3, 3>() * normal), 1e-6, 1e-15);
   EXPECT_TRUE(placed.covariance.isApprox(placed.covariance.transpose()));

@@ -13,19 +13,24 @@ class LengthEstimate {
   void add(double length, double weight);
 
   /// [m]; 0 while empty.
-  double median() const { return quantile(0.5); }
+  double median() const;
 
-  /// [m] half the width of the central 68 %.
-  double spread() const { return (quantile(0.84) - quantile(0.16)) / 2; }
+  /// [m] weighted standard deviation.
+  double spread() const;
 
-  /// How many fully observed lengths the estimate rests on.
-  double weight() const { return weight_; }
+  /// The largest weight so far.
+  double bestWeight() const { return best_weight_; }
+
+  /// How many lengths of equal weight would be as many (Kish's effective sample size).
+  double count() const { return squares_ > 0 ? weight_ * weight_ / squares_ : 0; }
 
  private:
-  double quantile(double share) const;
-
   std::map<int, double> histogram_;
   double weight_ = 0;
+  double best_weight_ = 0;
+  double squares_ = 0;  ///< of the weights
+  double mean_ = 0;
+  double deviation_ = 0;  ///< weighted sum of squares about the mean
 };
 
 }  // namespace cabinet_articulation::core

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cabinet_articulation/tracking/front_size.h"
-#include "cabinet_articulation/tracking/track.h"
+#include "cabinet_articulation/tracking/ended_tracks.h"
+#include "cabinet_articulation/tracking/track_memory.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
 namespace cabinet_articulation::core {
@@ -14,8 +14,10 @@ namespace cabinet_articulation::core {
 /// A frame's rectangles are assigned as a whole (least total distance), each in that one of its eight descriptions that
 /// continues the track. Size and place come from observed edges only. A front that disappears (closed fronts are
 /// coplanar with their neighbours and cannot be seen) keeps its track for `timeout`, and gets it back where it was last
-/// seen, where a pull or a swing can have brought it meanwhile, or anywhere along the track's history. The first
-/// rectangle of a track tells its outer side: the normal points to the camera.
+/// seen, where a pull or a swing can have brought it meanwhile, or anywhere along the track's history. After the timeout
+/// the track ends, but the front gets its id and history back if it returns in one of these ways (EndedTracks). Memory
+/// and time a frame are bounded, however long it runs. The first rectangle of a track tells its outer side: the normal
+/// points to the camera.
 class RectangleTracker {
  public:
   /// Throws ConfigError.
@@ -27,7 +29,7 @@ class RectangleTracker {
   /// area or with a pose that is no rotation are ignored.
   const std::vector<Track>& process(double stamp, const std::vector<DetectedRectangle>& rectangles);
 
-  const std::vector<Track>& tracks() const { return tracks_; }
+  const std::vector<Track>& tracks() const { return live_.tracks; }
 
   /// Where fronts are expected at `stamp`, with the size of their track, for the detector's track-guided fit. Only those
   /// that were confirmed, are not lost, and whose size has been observed: a wrong size that is searched for is found
@@ -39,24 +41,16 @@ class RectangleTracker {
   void reset();
 
  private:
-  /// What a track remembers beside its observations. Thinning the history does not touch it.
-  struct Memory {
-    FrontSize size;
-    int seen = 1;    ///< frames
-    int frames = 1;  ///< since the first one, without absences
-    int unseen = 0;  ///< frames since the last one
-  };
-
-  bool isConfirmed(const Track& track) const;
-  bool flickers(const Memory& memory) const;
+  bool flickers(const TrackMemory& memory) const;
   void endTracks(double stamp);
-  std::vector<int> assignRectangles(double stamp, const std::vector<DetectedRectangle>& rectangles) const;
-  void append(double stamp, const DetectedRectangle& rectangle, Track& track, Memory& memory);
-  void startTracks(double stamp, const std::vector<DetectedRectangle>& rectangles, const std::vector<int>& track_of);
+  void append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const;
+  bool isSeenAlready(double stamp, const Rectangle& rectangle) const;
+  void takeBack(double stamp, std::vector<DetectedRectangle>* unclaimed);
+  void startTracks(double stamp, std::vector<DetectedRectangle> unclaimed);
 
   TrackingConfig config_;
-  std::vector<Track> tracks_;
-  std::vector<Memory> memories_;  ///< parallel to tracks_
+  RememberedTracks live_;
+  EndedTracks ended_;
   double last_stamp_;
   std::uint32_t next_id_ = 0;
 };

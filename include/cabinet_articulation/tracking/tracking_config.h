@@ -13,13 +13,15 @@ struct TrackingConfig {
   double position_tolerance = 0.03;
   double angle_tolerance = 0.39;
   double twist_tolerance = 0.25;
-  double size_tolerance = 0.04;
+  double size_tolerance = 0.015;
   double first_size_sigma = 0.05;
   double max_speed = 1;
   double max_turn_rate = 3;
   double prediction_horizon = 0.3;
-  double min_edge_support = 0.55;
+  double edge_sigma = 0.002;
+  double unseen_edge_sigma = 0.2;
   int max_observations = 1000;
+  int max_ended_tracks = 64;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -44,10 +46,14 @@ struct TrackingConfig {
     visit("max_turn_rate", self.max_turn_rate, Range{0.01, 100}, "rad/s", "fastest swing of a door while it is not seen");
     visit("prediction_horizon", self.prediction_horizon, Range{0, 10}, "s",
           "a motion is extrapolated for this long at constant velocity");
-    visit("min_edge_support", self.min_edge_support, Range{0, 1}, "",
-          "observed share from which on an edge places the front (ours: more than half, which also an undecided edge has)");
+    visit("edge_sigma", self.edge_sigma, Range{1e-4, 0.1}, "m",
+          "error of an edge that was observed along four fifths or more (measured: 1 to 3 mm)");
+    visit("unseen_edge_sigma", self.unseen_edge_sigma, Range{1e-3, 10}, "m",
+          "error of an edge that was not observed (measured: up to 0.2 where a closed neighbour continues the front)");
     visit("max_observations", self.max_observations, Range{16, 1000000}, "",
           "a longer history is thinned out where the front moved least");
+    visit("max_ended_tracks", self.max_ended_tracks, Range{0, 10000}, "",
+          "fronts that get their id back when they return after their timeout; those that moved least are forgotten first");
   }
 };
 

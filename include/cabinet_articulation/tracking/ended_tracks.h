@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cabinet_articulation/tracking/track_memory.h"
+
+namespace cabinet_articulation::core {
+
+/// Fronts that were not seen for so long that their tracks ended, kept so that they get their id and their history back
+/// when they return: where they have been before, or opened further by a pull or a swing (findContinuation). At most
+/// max_ended_tracks of them, each with a thinned history; those that moved least are forgotten first.
+class EndedTracks {
+ public:
+  using Entry = std::pair<Track, TrackMemory>;
+
+  explicit EndedTracks(const TrackingConfig& config) : config_(config) {}
+
+  void keep(Track track, TrackMemory memory);
+
+  /// For every rectangle the track that it continues, which is kept no longer, or nothing.
+  std::vector<std::optional<Entry>> takeBack(const std::vector<DetectedRectangle>& rectangles, double stamp);
+
+  void clear() { ended_.clear(); }
+
+ private:
+  TrackingConfig config_;
+  RememberedTracks ended_;
+};
+
+}  // namespace cabinet_articulation::core

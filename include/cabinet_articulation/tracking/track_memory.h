@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "cabinet_articulation/tracking/front_size.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/// What is remembered of a track beside its observations. Thinning the history does not touch it.
+struct TrackMemory {
+  FrontSize size;
+  int seen = 1;    ///< frames
+  int frames = 1;  ///< since the first one, without absences
+  int unseen = 0;  ///< frames since the last one
+};
+
+/// Tracks ordered by id, and the memory of each.
+struct RememberedTracks {
+  std::vector<Track> tracks;
+  std::vector<TrackMemory> memories;  ///< parallel to tracks
+
+  void insert(Track track, TrackMemory memory);
+  void clear();
+};
+
+/// For every rectangle of a frame the index of the track that it continues, or -1: the best assignment of the frame as a
+/// whole (least total cost; costs grow with the logarithm of the distance, so that one good pair and a new track beat two
+/// doubtful pairs).
+std::vector<int> assignToTracks(const std::vector<DetectedRectangle>& rectangles, const RememberedTracks& remembered,
+                                double stamp, const TrackingConfig& config);
+
+/// Has it been seen often enough to be more than clutter?
+bool isConfirmed(const Track& track, const TrackingConfig& config);
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/tracking/ended_tracks.h"
+
+#include <algorithm>
+
+#include "cabinet_articulation/tracking/history.h"
+#include "cabinet_articulation/tracking/motion_gate.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr int kKept = 64;  ///< observations: a centimetre apart on the longest drawer
+
+/// [m] How far the front has been from where it was first seen.
+double extent(const Track& track) {
+  double farthest = 0;
+  for (const TrackedObservation& observation : track.observations)
+    farthest = std::max(farthest, cornerDistance(track.observations.front().rectangle, observation.rectangle));
+  return farthest;
+}
+
+}  // namespace
+
+void EndedTracks::keep(Track track, TrackMemory memory) {
+  while (thinOut(track.observations, kKept)) ++track.revision;
+  ended_.insert(std::move(track), std::move(memory));
+  if (ended_.tracks.size() <= static_cast<size_t>(config_.max_ended_tracks)) return;
+  const auto least = std::min_element(ended_.tracks.begin(), ended_.tracks.end(),
+                                      [](const Track& a, const Track& b) { return extent(a) < extent(b); });
+  ended_.memories.erase(ended_.memories.begin() + (least - ended_.tracks.begin()));
+  ended_.tracks.erase(least);
+}
+
+std::vector<std::optional<EndedTracks::Entry>> EndedTracks::takeBack(const std::vector<DetectedRectangle>& rectangles,
+                                                                     double stamp) {
+  std::vector<std::optional<Entry>> taken(rectangles.size());
+  if (rectangles.empty() || ended_.tracks.empty()) return taken;
+  const std::vector<int> track_of = assignToTracks(rectangles, ended_, stamp, config_);
+  std::vector<bool> gone(ended_.tracks.size(), false);
+  for (size_t i = 0; i < rectangles.size(); ++i) {
+    if (track_of[i] < 0) continue;
+    taken[i].emplace(std::move(ended_.tracks[track_of[i]]), std::move(ended_.memories[track_of[i]]));
+    gone[track_of[i]] = true;
+  }
+  RememberedTracks left;
+  for (size_t j = 0; j < gone.size(); ++j)
+    if (!gone[j]) left.insert(std::move(ended_.tracks[j]), std::move(ended_.memories[j]));
+  ended_ = std::move(left);
+  return taken;
+}
+
+}  // namespace cabinet_articulation::core
