@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/planes/plane_segmenter.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "cabinet_articulation/planes/duplicate_merger.h"
+#include "cabinet_articulation/planes/hole_filling.h"
 #include "cabinet_articulation/planes/metric_consensus.h"
 #include "cabinet_articulation/planes/photometric_refinement.h"
 #include "cabinet_articulation/planes/plane_consensus.h"
@@ -24,6 +26,16 @@ std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set)
   }
   cv::convexHull(ends, hull);
   return hull;
+}
+
+int measuredPixels(const GrownRegion& region, const RegionSet& set, const cv::Mat1f& disparity) {
+  int n = 0;
+  for (int i = region.first_run; i < region.last_run; ++i) {
+    const CellRun& run = set.runs[i];
+    for (int v = run.row * kCell; v < (run.row + 1) * kCell; ++v)
+      n += static_cast<int>(std::count_if(disparity[v] + run.begin * kCell, disparity[v] + run.end * kCell, isValidDisparity));
+  }
+  return n;
 }
 
 std::vector<cv::Point2f> hullOfInPlane(const cv::Mat1b& mask) {
@@ -55,6 +67,7 @@ void requireSameSizes(const DepthFrame& frame) {
 struct PlaneSegmenter::Buffers {
   explicit Buffers(const PlanesConfig& config)
       : metric_consensus(config), consensus(config), growing(config), merger(config), competition(config), refinement(config) {}
+  cv::Mat1f disparity;  ///< without holes
   MetricConsensus metric_consensus;
   PlaneConsensus consensus;
   RegionGrowing growing;
@@ -72,12 +85,15 @@ std::vector<PlaneRegion> PlaneSegmenter::process(const DepthFrame& frame) {
   return config_.method == "paper" ? wholePlanes(frame) : connectedRegions(frame);
 }
 
-std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& frame) {
-  const cv::Mat1f& disparity = frame.disparity;
+std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& input) {
   Buffers& b = *buffers_;
+  fillHoles(input.disparity, &b.disparity);
+  DepthFrame frame = input;
+  frame.disparity = b.disparity;
+  const cv::Mat1f& disparity = b.disparity;
   RegionSet& set = b.growing.process(frame, b.consensus.process(frame));
   b.merger.process(disparity.size(), &set);
-  b.growing.trim(b.competition.process(disparity, set));
+  b.growing.trim(b.competition.processCells(b.growing.cells(), set));
   b.merger.process(disparity.size(), &set);
   if (config_.refine && !frame.left.empty()) {
     b.refinement.process(frame, b.competition.process(disparity, set), &set);
@@ -90,7 +106,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& fram
   for (const GrownRegion& grown : set.regions) {
     const auto plane = toPlane(grown.plane, frame.camera);
     if (!plane) continue;
-    regions.push_back({*plane, grown.plane, grown.cells * kCell * kCell, hullOf(grown, set),
+    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set),
                        labelByNoise(disparity, grown.plane, tolerance, limit)});
   }
   return regions;

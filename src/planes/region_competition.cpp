@@ -22,15 +22,25 @@ __attribute__((target_clones("avx2", "default"))) void competeRow(const float* d
 RegionCompetition::RegionCompetition(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
 
 const cv::Mat1f& RegionCompetition::process(const cv::Mat1f& disparity, const RegionSet& set) {
-  limit_.create(disparity.size());
+  return compete(disparity, 1, set);
+}
+
+const cv::Mat1f& RegionCompetition::processCells(const cv::Mat1f& cells, const RegionSet& set) {
+  return compete(cells, kCell, set);
+}
+
+/// Neighbouring values are `spacing` pixels apart.
+const cv::Mat1f& RegionCompetition::compete(const cv::Mat1f& values, int spacing, const RegionSet& set) {
+  const int per_cell = kCell / spacing;
+  limit_.create(values.size());
   limit_.setTo(kNoLimit);
   const float margin = static_cast<float>(config_.other_plane_margin);
   for (const GrownRegion& region : set.regions)
     for (int i = region.first_run; i < region.last_run; ++i) {
       const CellRun& run = set.runs[i];
-      for (int v = run.row * kCell; v < (run.row + 1) * kCell; ++v)
-        competeRow(disparity[v], run.begin * kCell, run.end * kCell, static_cast<float>(region.plane.a),
-                   static_cast<float>(region.plane.at(0, v)), margin, limit_[v]);
+      for (int row = run.row * per_cell; row < (run.row + 1) * per_cell; ++row)
+        competeRow(values[row], run.begin * per_cell, run.end * per_cell, static_cast<float>(region.plane.a * spacing),
+                   static_cast<float>(region.plane.at(0, row * spacing)), margin, limit_[row]);
     }
   return limit_;
 }

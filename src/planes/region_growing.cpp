@@ -19,6 +19,15 @@ __attribute__((target_clones("avx2", "default"))) void markRow(const float* disp
     out[i] = std::abs(slope * static_cast<float>(i) + start - disparity[i]) <= tolerance.at(disparity[i]) ? 255 : 0;
 }
 
+__attribute__((target_clones("avx2", "default"))) void shrinkRows(const float* upper, const float* lower, int n, float* out) {
+  for (int i = 0; i < n; ++i) {
+    float value = kNoDisparity;
+    for (const float pixel : {lower[kCell * i + 1], lower[kCell * i], upper[kCell * i + 1], upper[kCell * i]})
+      value = isValidDisparity(pixel) ? pixel : value;
+    out[i] = value;
+  }
+}
+
 }  // namespace
 
 RegionGrowing::RegionGrowing(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
@@ -45,7 +54,7 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
       const CellRun& run = untrimmed_.runs[i];
       for (int col = run.begin; col < run.end; ++col) {
         const double residual = region.plane.at(col * kCell, run.row * kCell) - disparity_(run.row, col);
-        if (std::abs(residual) <= limit(run.row * kCell, col * kCell)) in_plane_(run.row, col) = 255;
+        if (std::abs(residual) <= limit(run.row, col)) in_plane_(run.row, col) = 255;
       }
     }
     addComponents(region.plane);
@@ -66,11 +75,8 @@ void RegionGrowing::addComponents(const DisparityPlane& plane) {
 
 void RegionGrowing::shrinkDisparity(const cv::Mat1f& disparity) {
   disparity_.create(disparity.rows / kCell, disparity.cols / kCell);
-  for (int row = 0; row < disparity_.rows; ++row) {
-    const float* in = disparity[row * kCell];
-    float* out = disparity_[row];
-    for (int col = 0; col < disparity_.cols; ++col) out[col] = isValidDisparity(in[col * kCell]) ? in[col * kCell] : kNoDisparity;
-  }
+  for (int row = 0; row < disparity_.rows; ++row)
+    shrinkRows(disparity[row * kCell], disparity[row * kCell + 1], disparity_.cols, disparity_[row]);
 }
 
 void RegionGrowing::markInPlane(const DisparityPlane& plane, const StereoCamera& camera) {

@@ -70,6 +70,25 @@ TEST(PlaneSegmenter, LabelsPixelsInFrontInAndBehind) {
   EXPECT_EQ(door->mask.size(), frame.disparity.size());
 }
 
+TEST(PlaneSegmenter, BearsHolesAllOverTheSurfaces) {
+  const std::vector<cv::Rect> kInside = {{550, 50, 60, 300}, {130, 80, 140, 240}, {415, 212, 90, 26}};  // of the patches
+  for (const bool stereo : {true, false})
+    for (const int every : {5, 20}) {
+      DepthFrame frame = stereo ? stereoFrame() : exactFrame();
+      cv::RNG random(every);
+      for (float& disparity : frame.disparity)
+        if (random.uniform(0, every) == 0) disparity = 0;
+      const auto regions = PlaneSegmenter(PlanesConfig()).process(frame);
+      EXPECT_EQ(regions.size(), 3U) << stereo << every;
+      for (size_t i = 0; i < kScene.size(); ++i) {
+        const PlaneRegion* region = regionOf(regions, kScene[i]);
+        ASSERT_NE(region, nullptr);
+        EXPECT_LT(normalError(*region, kScene[i]), 0.4);
+        EXPECT_GT(cv::countNonZero(region->mask(kInside[i]) == kInPlane), 0.95 * kInside[i].area());
+      }
+    }
+}
+
 TEST(PlaneSegmenter, StereoPairIsRefinedOnTheImages) {
   const DepthFrame frame = stereoFrame();
   const auto refined = PlaneSegmenter(PlanesConfig()).process(frame);

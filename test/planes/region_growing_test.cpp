@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "cabinet_articulation/planes/region_competition.h"
 #include "stereo/synthetic_pair.h"
 
@@ -50,6 +52,33 @@ TEST(RegionGrowing, ThinBridgesDoNotConnect) {
   EXPECT_EQ(growing.process(frame, {kPlane}).regions.size(), 2U);
 }
 
+TEST(RegionGrowing, HolesDoNotTearARegion) {
+  const cv::Rect area(100, 100, 200, 120);
+  const auto regionOf = [&](const DepthFrame& frame) {
+    RegionGrowing growing{PlanesConfig()};
+    const RegionSet set = growing.process(frame, {kPlane});
+    EXPECT_EQ(set.regions.size(), 1U);
+    return set;
+  };
+  const DepthFrame whole = frameOf({{kPlane, area}});
+  DepthFrame regular = whole, random = whole;
+  regular.disparity = whole.disparity.clone();
+  random.disparity = whole.disparity.clone();
+  cv::RNG draw(1);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u) {
+      if (u % 3 == 0 && v % 3 == 0) regular.disparity(v, u) = 0;
+      if (draw.uniform(0, 5) == 0) random.disparity(v, u) = std::numeric_limits<float>::quiet_NaN();
+    }
+  for (const DepthFrame* frame : {&regular, &random}) {
+    const RegionSet set = regionOf(*frame);
+    EXPECT_EQ(boxOf(set.regions.at(0), set), area);
+    EXPECT_GT(set.regions[0].cells * kCell * kCell, 0.98 * area.area());
+    // A pixel that stands in for its neighbour is off by the plane's slope at most.
+    EXPECT_NEAR(set.regions[0].plane.at(200, 160), kPlane.at(200, 160), 0.01);
+  }
+}
+
 TEST(RegionGrowing, EachPieceGetsItsOwnPlane) {
   const DisparityPlane steeper{kPlane.a + 0.002, kPlane.b, kPlane.c - 0.4};
   const DepthFrame frame = frameOf({{kPlane, {20, 30, 100, 60}}, {steeper, {150, 30, 100, 60}}});
@@ -73,7 +102,7 @@ TEST(RegionGrowing, TrimmedRegionsLeaveOthersTheirPixels) {
   EXPECT_GT(boxOf(set.regions[0], set).br().x, 212) << "0.5 px / 0.03";
   set.regions[0].plane = left;
   set.regions[1].plane = right;
-  growing.trim(competition.process(frame.disparity, set));
+  growing.trim(competition.processCells(growing.cells(), set));
   ASSERT_EQ(set.regions.size(), 2U);
   // 0.15 px / 0.03 = 5 px remain disputed, and cells have 2 px.
   EXPECT_NEAR(boxOf(set.regions[0], set).br().x, 205, 2);

@@ -21,7 +21,7 @@ class PlaneSegmenter {
   std::vector<PlaneRegion> process(const DepthFrame& frame);
 
  private:
-  std::vector<PlaneRegion> connectedRegions(const DepthFrame& frame);
+  std::vector<PlaneRegion> connectedRegions(const DepthFrame& input);
   std::vector<PlaneRegion> wholePlanes(const DepthFrame& frame) const;
 
   struct Buffers;

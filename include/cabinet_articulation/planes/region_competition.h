@@ -20,7 +20,12 @@ class RegionCompetition {
   /// regions that hold it plus `other_plane_margin`; huge where no region is. Valid until the next call.
   const cv::Mat1f& process(const cv::Mat1f& disparity, const RegionSet& set);
 
+  /// The same for each cell, of the cells' disparities.
+  const cv::Mat1f& processCells(const cv::Mat1f& cells, const RegionSet& set);
+
  private:
+  const cv::Mat1f& compete(const cv::Mat1f& values, int spacing, const RegionSet& set);
+
   PlanesConfig config_;
   cv::Mat1f limit_;
 };

@@ -12,8 +12,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Regions live on a grid of cells of 2x2 pixels; a cell is judged by its upper left pixel. A quarter of the pixels is
-/// plenty, because block matching makes neighbours nearly equal.
+/// Regions live on a grid of cells of 2x2 pixels; a cell is judged by its first pixel that was measured. A quarter of the
+/// pixels is plenty, because block matching makes neighbours nearly equal.
 constexpr int kCell = 2;  ///< [px]
 
 /// A connected set of cells near one plane: the runs [first_run, last_run) of its RegionSet, row by row.
@@ -37,8 +37,11 @@ class RegionGrowing {
   /// Regions of at least `min_region` pixels, in the order of the planes. Valid until the next call.
   RegionSet& process(const DepthFrame& frame, const std::vector<DisparityPlane>& planes);
 
-  /// The last result without the cells whose residual exceeds `limit` [px, for each pixel of the image], and refitted.
+  /// The last result without the cells whose residual exceeds `limit` [px, for each cell], and refitted.
   RegionSet& trim(const cv::Mat1f& limit);
+
+  /// The disparity of each cell; far below zero where nothing was measured.
+  const cv::Mat1f& cells() const { return disparity_; }
 
  private:
   void addComponents(const DisparityPlane& plane);
