@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/rectangles/edge_support.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cabinet_articulation/planes/plane_region.h"
@@ -14,7 +15,8 @@ constexpr double kInside = 4;        ///< [px] beyond the blur of block matching
 constexpr double kDeepInside = 9;    ///< [px] beyond what a surface along the edge (a door's side) claims of the front
 constexpr double kOutsideBegin = 3;  ///< [px]
 constexpr double kOutsideEnd = 14;   ///< [px] block matching carries a front's depth up to a window's half beyond it
-constexpr double kUndecided = 0.5;   ///< worth of a sample that ends in another region of nearly the same plane, or without depth
+constexpr double kUndecided = 0.5;   ///< worth of a sample beyond which there is no depth
+constexpr double kDisputed = 0.25;   ///< worth of a sample that ends in another region of nearly the same plane
 
 bool contains(const cv::Mat1b& mask, const Eigen::Vector2d& pixel) {
   return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < mask.cols - 0.5 && pixel.y() < mask.rows - 0.5;
@@ -45,6 +47,9 @@ double lookOutside(const cv::Mat1b& mask, const Eigen::Vector2d& pixel, const Ei
       case kOccluded:
         return 0;
       case kInPlane:
+        break;
+      case kOtherPlane:
+        found = kDisputed;
         break;
       default:
         found = kUndecided;

@@ -11,11 +11,13 @@ namespace {
 
 constexpr double kConfirmedSigma = 0.7;     ///< [px] of an edge that the images place
 constexpr double kMaskSigma = 2.0;          ///< [px] of an edge of a 15x15 block matching mask
+constexpr double kDoubtful = 0.25;          ///< support of an edge that nothing but a neighbour in nearly the same plane ends
 constexpr double kUnobservedSigma = 0.3;    ///< [m] of an edge that was not seen: the size of a front
 constexpr double kUnobservedAngle = 0.3;    ///< [rad] without any edge
 constexpr double kDisparitySigma = 0.15;    ///< [px] of a block matching disparity
 constexpr double kRefinedSigma = 0.05;      ///< [px] of a plane refined on the images, per independent pixel
 constexpr double kIndependentPixels = 225;  ///< pixels that share one error: a 15x15 window
+constexpr double kMostRefined = 60;         ///< windows beyond which errors common to all pixels (interpolation, warp) remain
 constexpr int kGrid = 8;                    ///< samples of the in-plane pixels along each side
 constexpr double kPriorTilt = 0.5;          ///< [rad] of a plane that hardly any pixel supports
 constexpr double kPriorDepth = 0.1;         ///< [m]
@@ -32,7 +34,8 @@ InPlane fromEdges(const PlaneChart& chart, const PlaneRectangle& rectangle, cons
     double information = 1 / (kUnobservedSigma * kUnobservedSigma);
     if (const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge)) {
       const double sigma = (edges[edge].confirmed ? kConfirmedSigma : kMaskSigma) * image->metres_per_pixel;
-      const double observed = edges[edge].support / (sigma * sigma);
+      const double seen = std::max(edges[edge].support - kDoubtful, 0.0) / (1 - kDoubtful);
+      const double observed = seen / (sigma * sigma);
       const double length = rectangle.side(1 - edgeAxis(edge));
       information += observed;
       angle_information += observed * length * length / 12;  // variance of places spread evenly over a length
@@ -68,8 +71,10 @@ Eigen::Matrix3d fromPlane(const PlaneChart& chart, const PlaneRectangle& rectang
     ++samples;
   }
   if (samples > 0) {
-    const double sigma = frame.left.empty() ? kDisparitySigma : kRefinedSigma;
-    const double independent = std::max(region.inliers / kIndependentPixels, 1.0);
+    const bool refined = !frame.left.empty();
+    const double sigma = refined ? kRefinedSigma : kDisparitySigma;
+    const double windows = std::max(region.inliers / kIndependentPixels, 1.0);
+    const double independent = refined ? std::min(windows, kMostRefined) : windows;
     information += observed * (independent / (samples * sigma * sigma));
   }
   return information.inverse();

@@ -50,11 +50,11 @@ TEST_F(EdgeSupportTest, AContinuingSurfaceIsNoEdgeUnlessTheImagesSaySo) {
   EXPECT_EQ(support({false, true, false, false})[kEdgePlusX], 1);
 }
 
-TEST_F(EdgeSupportTest, MissingDepthAndOtherRegionsCountHalf) {
+TEST_F(EdgeSupportTest, MissingDepthCountsHalfAndOtherRegionsAQuarter) {
   paint(beyond_right_, kUnknown);
   EXPECT_EQ(support()[kEdgePlusX], 0.5F);
   paint(beyond_right_, kOtherPlane);
-  EXPECT_EQ(support()[kEdgePlusX], 0.5F);
+  EXPECT_EQ(support()[kEdgePlusX], 0.25F);
   paint({425, 0, 8, 480}, kUnknown);  // the shadow of stereo beside a front
   paint({433, 0, 640 - 433, 480}, kFree);
   EXPECT_EQ(support()[kEdgePlusX], 1);

@@ -52,6 +52,13 @@ TEST_F(RectangleCovarianceTest, AnUnseenEdgeFreesTheCentreAcrossItAndNothingElse
   EXPECT_LT(sigma(cut, front, 5), 2 * sigma(all, front, 5));
 }
 
+TEST_F(RectangleCovarianceTest, AnEdgeThatOnlyANeighbourEndsIsAsGoodAsUnseen) {
+  const Rectangle front = exampleFront({0, 0, 1.3}, 0.4, 0.6, 0.1, 0, 0);  // a door just opened
+  const Matrix6d result = covariance(front, {EdgeObservation{0.25, false}, kSeen, kSeen, kSeen});
+  EXPECT_GT(sigma(result, front, 0), 0.1);
+  EXPECT_LT(sigma(result, front, 1), 0.006);
+}
+
 TEST_F(RectangleCovarianceTest, WithoutAnyEdgeNothingInThePlaneIsKnown) {
   const Rectangle front = exampleFront({0, 0, 1.3}, 0.4, 0.3, 0, 0, 0);
   const Matrix6d result = covariance(front, {kUnseen, kUnseen, kUnseen, kUnseen});
