@@ -133,6 +133,13 @@ ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, co
 }
 
 template <bool kWithOrientation>
+double costOf(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config) {
+  using Problem = ArcProblem<kWithOrientation>;
+  IndependentNoise noise(config);
+  return noise.template estimate<Problem>(Problem(samples, noise.noise(), arc, Curvature::kFixed).rawResiduals());
+}
+
+template <bool kWithOrientation>
 SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
                          std::optional<double> rival, const ArticulationConfig& config) {
   SequenceNoise noise(config, fit.position_scale, fit.orientation_scale);
@@ -150,6 +157,10 @@ Eigen::MatrixXd covarianceOf(const PoseSamples& samples, PathShape shape, const 
 }
 
 }  // namespace
+
+double arcCost(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config) {
+  return samples.has_orientation ? costOf<true>(samples, arc, config) : costOf<false>(samples, arc, config);
+}
 
 ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config) {
   return samples.has_orientation ? fitFrom<true>(samples, shape, start, config) : fitFrom<false>(samples, shape, start, config);

@@ -13,18 +13,25 @@ namespace {
 /// [nats] Differences in likelihood above which no other local optimum will turn the answer (measured: 24 was turned).
 constexpr double kClear = 40;
 
+/// Fits to fewer poses may be far from the truth, so that the next starts anew.
+constexpr std::size_t kFew = 12;
+
 }  // namespace
 
 bool ArcModel::fit(const PoseTrack& track) {
   if (track.size() < (shape_ == PathShape::kLine ? 2u : 3u)) return false;
   const PoseSamples samples(track);
-  const bool known = fitted_ && with_orientation_ == track.has_orientation;
+  const bool known = fitted_to_ >= kFew && with_orientation_ == track.has_orientation;
   with_orientation_ = track.has_orientation;
-  fit_ = fitArc(samples, shape_, known ? arc_ : consensusArc(samples, shape_, config_), config_);
+  fit_ = fitArc(samples, shape_, known ? arc_ : startOf(samples), config_);
   arc_ = fit_.arc;
   orient(samples);
-  fitted_ = true;
+  fitted_to_ = track.size();
   return true;
+}
+
+Arc ArcModel::startOf(const PoseSamples& samples) const {
+  return shape_ == PathShape::kLine ? consensusArc(samples, shape_, config_) : bestCircleStart(samples, config_);
 }
 
 void ArcModel::orient(const PoseSamples& samples) {
@@ -79,6 +86,7 @@ double ArcModel::configuration(const Eigen::Isometry3d& pose) const { return (ar
 
 double ArcModel::sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) {
   const PoseSamples samples(track);
+  if (samples.size() < kFew) sequence_start_.reset();
   SequenceFit best = fitArcSequence(samples, shape_, fit_, sequence_start_.value_or(arc_), rival, config_);
   const auto tryStart = [&](const Arc& start) {
     const SequenceFit fit = fitArcSequence(samples, shape_, fit_, start, rival, config_);

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace cabinet_articulation::core {
@@ -134,6 +135,52 @@ Arc consensusArc(const PoseSamples& samples, PathShape shape, const Articulation
     }
   }
   return centeredOn(samples, best);
+}
+
+Arc turningCircle(const PoseSamples& samples, const ArticulationConfig& config) {
+  const double n = static_cast<double>(samples.size());
+  std::vector<Eigen::Matrix3d> rotations;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d mean_rotation = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    rotations.push_back(samples.orientations[i].toRotationMatrix());
+    mean += samples.positions[i] / n;
+    mean_rotation += rotations.back() / n;
+  }
+  // x_i + R_i s = c: s is the place of the axis as seen from the front, c in space.
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Eigen::Matrix3d turn = rotations[i] - mean_rotation;
+    normal += turn.transpose() * turn / n;
+    right -= turn.transpose() * (samples.positions[i] - mean) / n;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
+  const Eigen::Vector3d axis = (mean_rotation * solver.eigenvectors().col(0)).normalized();
+  constexpr double kLeastTurn = 1e-5;  // squared; less is noise
+  const Eigen::Vector3d inverse(0, 1 / (solver.eigenvalues()[1] + kLeastTurn), 1 / (solver.eigenvalues()[2] + kLeastTurn));
+  const Eigen::Vector3d to_axis = solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose() * right;
+  const Eigen::Vector3d center = mean + mean_rotation * to_axis;
+  const double radius = std::clamp(to_axis.norm(), config.radius_min, config.radius_max);
+  return centeredOn(samples, arcAround(center, axis, radius, mean));
+}
+
+Arc bestCircleStart(const PoseSamples& samples, const ArticulationConfig& config) {
+  std::vector<Arc> starts{consensusArc(samples, PathShape::kCircle, config)};
+  if (samples.has_orientation && samples.size() > 1) {
+    starts.push_back(turningCircle(samples, config));
+    for (const Arc& arc : typicalCircles(samples, consensusArc(samples, PathShape::kLine, config))) starts.push_back(arc);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  Arc best = starts.front();
+  for (const Arc& start : starts) {
+    const double cost = arcCost(samples, start, config);
+    if (cost < least) {
+      least = cost;
+      best = start;
+    }
+  }
+  return best;
 }
 
 std::vector<Arc> typicalCircles(const PoseSamples& samples, const Arc& line) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/articulation/motion_threshold.h"
+#include "cabinet_articulation/articulation/motion_test.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -50,12 +50,13 @@ FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config), 
 
 void FrontLearner::chooseReference(const Track& track) {
   // The choice changes what q means, so it is only looked at again when twice as much is known.
-  if (reference_chosen_at_ > 0 && observations_.size() < 2 * reference_chosen_at_) return;
+  constexpr std::size_t kFew = 8;
+  if (observations_.size() >= kFew && observations_.size() < 2 * reference_chosen_at_) return;
   const ReferencePoint* chosen = reference_chosen_at_ > 0 ? &reference_ : nullptr;
   const ReferencePoint best = bestReferencePoint(observations_, track.width, track.height, chosen, config_);
   const bool changed = !chosen || best.x != chosen->x || best.y != chosen->y;
   reference_ = best;
-  reference_chosen_at_ = std::max<std::size_t>(5, observations_.size());
+  reference_chosen_at_ = std::max(kFew / 2, observations_.size());
   if (changed) createModels();
 }
 
@@ -86,6 +87,7 @@ bool FrontLearner::update(const Track& track) {
   if (!observations_.update(track)) return false;
   chooseReference(track);
   poses_ = observations_.track(reference_, static_cast<std::size_t>(config_.sequence_poses_max));
+  poses_.outline = observations_.outline(reference_, track.width, track.height);
   front_.id = track.id;
   front_.width = track.width;
   front_.height = track.height;
@@ -94,14 +96,14 @@ bool FrontLearner::update(const Track& track) {
   fitModels(spaced, true);
   compareSequences(fromFirstExplained(poses_, candidates_, 3 * config_.sigma_position));
   if (candidates_.empty()) return false;
-  MotionThreshold threshold = motionThreshold(track, poses_, config_);
+  MotionTest test(track, poses_, config_);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const Candidate* moving = bestMoving(candidates_);
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
-  if (moving && is_rectangle && isTouchingSomethingRound(*moving, T_reference_center)) threshold = kNeverMotion;
+  if (moving && is_rectangle && isTouchingSomethingRound(*moving, T_reference_center)) test.refuse();
   if (!moving || moving->outlier_share > config_.outlier_share_max) fitModels(spaced, false);
-  selection_ = selectModel(&candidates_, spaced, threshold, config_);
+  selection_ = selectModel(&candidates_, spaced, test, config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;
 }

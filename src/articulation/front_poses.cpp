@@ -66,6 +66,14 @@ bool FrontPoses::update(const Track& track) {
   return true;
 }
 
+double FrontPoses::sizeDeviation() const {
+  const double n = static_cast<double>(entries_.size());
+  Eigen::Array2d mean = Eigen::Array2d::Zero(), deviation = mean;
+  for (const Entry& entry : entries_) mean += Eigen::Array2d(entry.width, entry.height) / n;
+  for (const Entry& entry : entries_) deviation += (Eigen::Array2d(entry.width, entry.height) - mean).abs() / n;
+  return deviation.maxCoeff();
+}
+
 PoseTrack FrontPoses::track(ReferencePoint point, std::size_t count) const {
   PoseTrack track;
   track.has_orientation = config_.use_orientation;
@@ -82,6 +90,16 @@ PoseTrack FrontPoses::track(ReferencePoint point, std::size_t count) const {
     track.orientation_weights.push_back(entry.orientation_weight);
   }
   return track;
+}
+
+std::vector<Eigen::Vector3d> FrontPoses::outline(ReferencePoint point, double width, double height) const {
+  std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
+  if (!config_.use_orientation) return outline;
+  const double lever = config_.sigma_position / config_.sigma_orientation;
+  if (width <= 0 || height <= 0) width = height = 2 * lever;
+  for (const int x : {-1, 1})
+    for (const int y : {-1, 1}) outline.push_back(ReferencePoint{x, y}.offset(width, height) - point.offset(width, height));
+  return outline;
 }
 
 }  // namespace cabinet_articulation::core

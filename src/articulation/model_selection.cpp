@@ -10,6 +10,9 @@
 namespace cabinet_articulation::core {
 namespace {
 
+/// Motion that is less probable is not called so yet.
+constexpr double kSure = 0.9;
+
 double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 /// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.
@@ -46,28 +49,12 @@ double turn(const Candidate& candidate) {
   return Eigen::AngleAxisd(first.transpose() * candidate.model->predict(candidate.residuals.q_max).linear()).angle();
 }
 
-/// Root mean square of residuals, each cut at `limit`.
-double rms(const std::vector<Eigen::Vector3d>& residuals, double limit) {
-  double sum = 0;
-  for (const Eigen::Vector3d& residual : residuals) sum += std::min(residual.squaredNorm(), limit * limit);
-  return std::sqrt(sum / static_cast<double>(residuals.size()));
-}
-
-/// Whether the front moved by more than detections spread: along its path, or by turning on the spot.
-bool isMotion(const Candidate& candidate, const PoseTrack& track, const MotionThreshold& threshold,
-              const ArticulationConfig& config) {
-  const ModelResiduals& residuals = candidate.residuals;
-  const double spread = config.motion_to_noise * rms(residuals.position, 3 * config.sigma_position);
-  if (residuals.path >= std::max(threshold.path, spread)) return true;
-  if (!track.has_orientation) return false;
-  const double angle = turn(candidate);
-  const double turn_spread = config.motion_to_noise * rms(residuals.orientation, 3 * config.sigma_orientation);
-  return angle >= std::max(threshold.angle, turn_spread);
-}
+/// Share of a candidate's residuals that are independent of one another.
+double independentShare(const Candidate& candidate) { return (1 - candidate.correlation) / (1 + candidate.correlation); }
 
 /// [nats] Log of the odds of a model against a simpler one, for residuals of which only as many count as are independent.
 double advantage(const Candidate& candidate, const Candidate& simpler, const PoseTrack& track) {
-  const double independent = (1 - candidate.correlation) / (1 + candidate.correlation);
+  const double independent = independentShare(candidate);
   const int parameters = candidate.model->complexity(track.has_orientation) - simpler.model->complexity(track.has_orientation);
   return independent * (candidate.log_likelihood - simpler.log_likelihood) -
          0.5 * parameters * std::log(std::max(1.0, independent * static_cast<double>(track.size())));
@@ -87,7 +74,7 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   return candidate;
 }
 
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionThreshold& threshold,
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionTest& test,
                       const ArticulationConfig& config) {
   Selection selection;
   selection.probabilities.assign(modelRegistry().size(), 0);
@@ -102,6 +89,9 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
     } else {
       const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= config.turn_min);
       if (moving && !bends) candidate.evidence = std::min(candidate.evidence, moving->evidence);
+      // A sequence forgives noise that is worse with the more complex model.
+      if (moving)
+        candidate.evidence += std::min(0.0, independentShare(candidate) * (candidate.log_likelihood - moving->log_likelihood));
       if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
     }
   }
@@ -112,7 +102,7 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
   double moved = best ? 1 : 0;
   if (still && best) {
     moved = logistic(advantage(*best, *still, track));
-    if (!isMotion(*best, track, threshold, config)) moved = std::min(moved, 0.5);
+    if (moved < kSure || !test.passes(*best->model, best->residuals, track)) moved = std::min(moved, 0.5);
   }
   selection.moved = best && moved > 0.5;
   selection.explained = !selection.moved || best->outlier_share <= config.outlier_share_max;

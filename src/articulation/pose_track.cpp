@@ -9,6 +9,7 @@ namespace {
 PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indices) {
   PoseTrack out;
   out.has_orientation = track.has_orientation;
+  out.outline = track.outline;
   const auto pick = [&indices](const auto& from, auto* to) {
     to->reserve(indices.size());
     for (std::size_t i : indices)

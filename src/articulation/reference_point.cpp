@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "cabinet_articulation/articulation/arc_fit.h"
@@ -12,6 +13,8 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kComparedPoses = 100;
+constexpr double kSteadySize = 0.01;  ///< [m]
+constexpr std::size_t kEarly = 16;    ///< poses up to which it matters that a point far from the hinge moves more
 
 /// The path of another point of the same front: `offset` away in the front's frame.
 Arc shifted(const Arc& arc, const Eigen::Vector3d& offset) {
@@ -29,10 +32,19 @@ Arc shifted(const Arc& arc, const Eigen::Vector3d& offset) {
   return moved;
 }
 
-double positionRms(const PoseSamples& samples, const Arc& arc, double limit) {
-  double sum = 0;
-  for (const Eigen::Vector3d& p : samples.positions) sum += std::min(arc.squaredDistance(p), limit * limit);
-  return std::sqrt(sum / static_cast<double>(samples.size()));
+/// Noise of the positions in shares of the way they come along the path. What hardly moves fits well and says little.
+double relativeNoise(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config) {
+  const double limit = 3 * config.sigma_position;
+  double sum = 0, first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const Eigen::Vector3d& p : samples.positions) {
+    const double square = arc.squaredDistance(p);
+    sum += std::min(square, limit * limit);
+    if (square > limit * limit) continue;
+    first = std::min(first, arc.arcLength(p));
+    last = std::max(last, arc.arcLength(p));
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(samples.size()));
+  return std::max(rms, config.sigma_position_floor) / std::max(last - first, 1e-3);
 }
 
 }  // namespace
@@ -40,32 +52,25 @@ double positionRms(const PoseSamples& samples, const Arc& arc, double limit) {
 ReferencePoint bestReferencePoint(const FrontPoses& poses, double width, double height, const ReferencePoint* preferred,
                                   const ArticulationConfig& config) {
   if (width <= 0 || height <= 0 || poses.size() < 3) return {};
+  if (poses.size() >= kEarly && poses.sizeDeviation() < kSteadySize) return {};
   struct Option {
     ReferencePoint point;
-    double rms, radius;
+    double noise;
   };
   std::vector<Option> options;
   Arc center_arc;
-  const double limit = 3 * config.sigma_position;
   for (const ReferencePoint point :
        {ReferencePoint{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
     const PoseSamples samples(poses.track(point, kComparedPoses));
-    const Arc start =
-        options.empty() ? consensusArc(samples, PathShape::kCircle, config) : shifted(center_arc, point.offset(width, height));
+    const Arc start = options.empty() ? bestCircleStart(samples, config) : shifted(center_arc, point.offset(width, height));
     const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config);
     if (options.empty()) center_arc = fit.arc;
-    options.push_back({point, positionRms(samples, fit.arc, limit), std::abs(fit.arc.radius())});
+    options.push_back({point, relativeNoise(samples, fit.arc, config)});
   }
-  // A point close to the hinge hardly moves: it fits well and says little.
-  double largest = 0;
-  for (const Option& option : options) largest = std::max(largest, option.radius);
-  const Option* best = nullptr;
-  for (const Option& option : options) {
-    if (option.radius < 0.4 * largest) continue;
-    if (!best || option.rms < best->rms) best = &option;
-  }
+  const auto quieter = [](const Option& a, const Option& b) { return a.noise < b.noise; };
+  const auto best = std::min_element(options.begin(), options.end(), quieter);
   for (const Option& option : options)
-    if (preferred && option.point.x == preferred->x && option.point.y == preferred->y && option.rms < 1.1 * best->rms)
+    if (preferred && option.point.x == preferred->x && option.point.y == preferred->y && option.noise < 1.1 * best->noise)
       return *preferred;
   return best->point;
 }

@@ -20,6 +20,9 @@ struct ArcFit {
   double orientation_scale = 0;  ///< [rad]
 };
 
+/// Negative log-likelihood of a path, up to a constant that all paths share.
+double arcCost(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config);
+
 /// The best path near `start`. Circles respect the radius limits of `config`.
 ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config);
 

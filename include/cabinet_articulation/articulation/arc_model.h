@@ -30,6 +30,7 @@ class ArcModel : public ArticulationModel {
   double first_ = 0;  ///< [m] arc length at q = 0
 
  private:
+  Arc startOf(const PoseSamples& samples) const;
   double arcLength(const Eigen::Isometry3d& pose) const;
   void orient(const PoseSamples& samples);
 
@@ -37,7 +38,7 @@ class ArcModel : public ArticulationModel {
   ArcFit fit_;
   std::optional<Arc> sequence_start_;  ///< the last sequence fit's path
   std::size_t searched_at_ = 0;        ///< poses when the sequence fit was started from everywhere last
-  bool fitted_ = false;
+  std::size_t fitted_to_ = 0;          ///< poses
   bool with_orientation_ = true;
 };
 

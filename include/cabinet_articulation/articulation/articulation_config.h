@@ -25,11 +25,11 @@ struct ArticulationConfig {
   double sequence_degrees_of_freedom = 3;
   double sagitta_min = 0.006;
   double turn_min = 0.1;
-  double motion_min = 0.04;
+  double motion_min = 0.03;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
   double edge_support_min = 0.5;
-  int observations_min = 5;
+  int observations_min = 3;
   double outlier_share_max = 0.3;
   double covariance_factor = 1.75;
 

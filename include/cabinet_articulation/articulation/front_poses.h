@@ -30,9 +30,16 @@ class FrontPoses {
 
   std::size_t size() const { return entries_.size(); }
 
+  /// [m] Mean deviation of the measured width or height, whichever varies more.
+  double sizeDeviation() const;
+
   /// The track of a reference point, at most `count` poses, evenly spaced, the first and the last among them. Sizes are
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseTrack track(ReferencePoint point, std::size_t count) const;
+
+  /// The point itself and, where there are orientations, the front's corners as seen from it: of a rectangle of this size,
+  /// or of a marker whose turns count as much as a sigma of its place.
+  std::vector<Eigen::Vector3d> outline(ReferencePoint point, double width, double height) const;
 
  private:
   struct Entry {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_model.h"
-#include "cabinet_articulation/articulation/motion_threshold.h"
+#include "cabinet_articulation/articulation/motion_test.h"
 
 namespace cabinet_articulation::core {
 
@@ -35,10 +35,10 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
  * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). A
  * model whose path bends by less than sagitta_min, and on which the front hardly turns, is not preferred to a simpler one.
  * Between rigid and moving they are not, since such a sequence explains slow motion by itself: there they are independent, the
- * likelihood counts for as many poses as are independent, and the motion must exceed `threshold`. So they are between a joint
+ * likelihood counts for as many poses as are independent, and the motion must pass `test`. So they are between a joint
  * that does not explain the motion and a curve of any shape.
  */
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionThreshold& threshold,
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionTest& test,
                       const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -17,6 +17,8 @@ struct PoseTrack {
   /// direction was not observed) to 1. Empty: everything was observed. Ignored without orientation.
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
+  /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.
+  std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
 
   std::size_t size() const { return poses.size(); }
 };
