@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # demo.sh [SCENE] [ROSLAUNCH ARGUMENTS]: installs what is missing, builds, runs a simulated scene through the whole
 # pipeline, prints each learned object beside its ground truth, writes a picture, and exits with 0 when the models are
-# right. SCENE is door, drawer, kitchen (the default) or pedestal. Example: demo.sh drawer rviz:=true
+# right. SCENE is door, drawer, kitchen (the default) or pedestal. Examples: demo.sh drawer rviz:=true, demo.sh
+# kitchen camera_motion:=true
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(dirname "$here")/build

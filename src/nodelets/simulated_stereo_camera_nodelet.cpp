@@ -108,7 +108,7 @@ class SimulatedStereoCameraNodelet : public nodelet::Nodelet {
     header.frame_id = settings_.frame_id;
     const core::StereoCamera& camera = camera_->camera();
     const core::GroundTruth truth = camera_->truth(frame);
-    truth_.publish(toMessage(truth, header));
+    truth_.publish(toMessage(truth, header, settings_.world_frame));
     if (broadcaster_) {
       geometry_msgs::TransformStamped transform = tf2::eigenToTransform(truth.T_world_camera);
       transform.header.stamp = stamp;

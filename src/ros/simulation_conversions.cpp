@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/ros/simulation_conversions.h"
 
+#include <stdexcept>
+
 #include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
@@ -42,14 +44,34 @@ sensor_msgs::CameraInfo toRightCameraInfo(const core::StereoCamera& camera, cons
   return info;
 }
 
-SceneTruth toMessage(const core::GroundTruth& truth, const std_msgs::Header& header) {
+SceneTruth toMessage(const core::GroundTruth& truth, const std_msgs::Header& header, const std::string& world_frame) {
   SceneTruth message;
   message.header = header;
   message.scene = truth.scene;
+  message.camera.header.stamp = header.stamp;
+  message.camera.header.frame_id = world_frame;
+  message.camera.pose = toMessage(truth.T_world_camera);
   message.last = truth.last;
   for (const core::FrontTruth& front : truth.joints) message.joints.push_back(toJointTruth(front));
   for (const core::FrontTruth& front : truth.fixed) message.fixed.push_back(toJointTruth(front));
   return message;
+}
+
+SceneTruth inFrame(SceneTruth truth, const std::string& frame) {
+  if (frame == truth.header.frame_id) return truth;
+  if (frame != truth.camera.header.frame_id)
+    throw std::invalid_argument("the truth is known in '" + truth.header.frame_id + "' and in '" + truth.camera.header.frame_id +
+                                "', not in '" + frame + "'");
+  truth.header.frame_id = frame;
+  const Eigen::Isometry3d T_world_camera = fromMessage(truth.camera.pose);
+  for (auto* fronts : {&truth.joints, &truth.fixed}) {
+    for (JointTruth& front : *fronts) {
+      front.pose = toMessage(T_world_camera * fromMessage(front.pose));
+      front.axis = toVector(T_world_camera.linear() * fromMessage(front.axis));
+      front.axis_point = toPoint(T_world_camera * fromMessage(front.axis_point));
+    }
+  }
+  return truth;
 }
 
 }  // namespace cabinet_articulation

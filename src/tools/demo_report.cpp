@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 
+#include "cabinet_articulation/ros/simulation_conversions.h"
 #include "truth_comparison.h"
 
 namespace cabinet_articulation {
@@ -37,13 +38,13 @@ class DemoReport {
       deadline = ros::WallTime::now() + ros::WallDuration(settle_);
     }
     if (!ended) {
-      std::printf("no end of the script within %.0f s: %d frames of truth and %d model messages came\n", timeout_, truths_,
-                  model_messages_);
+      std::printf("no end of the script within %.0f s: %d frames of truth and %d model messages came\n", timeout_,
+                  static_cast<int>(truths_.size()), model_messages_);
       return 1;
     }
-    const SceneComparison comparison = truth_.compare(models_, TruthLimits());
-    std::printf("\nscene '%s': %d frames, %d model messages, %zu live objects\n\n%s", scene_.c_str(), truths_, model_messages_,
-                models_.size(), format(comparison).c_str());
+    const SceneComparison comparison = compare();
+    std::printf("\nscene '%s': %d frames, %d model messages, %zu live objects\n\n%s", scene_.c_str(),
+                static_cast<int>(truths_.size()), model_messages_, models_.models.size(), format(comparison).c_str());
     if (!picture_.empty()) std::printf("%s\n", writePicture().c_str());
     std::printf("%s\n", comparison.right() ? "all models are right" : "NOT all models are right");
     return comparison.right() ? 0 : 1;
@@ -52,8 +53,7 @@ class DemoReport {
  private:
   void onTruth(const SceneTruth::ConstPtr& truth) {
     scene_ = truth->scene;
-    ++truths_;
-    truth_.add(*truth);
+    truths_.push_back(truth);
     script_ended_ = script_ended_ || truth->last;
     double opening = 0;
     for (const JointTruth& joint : truth->joints)
@@ -63,7 +63,7 @@ class DemoReport {
 
   void onModels(const ArticulationModelArray::ConstPtr& models) {
     ++model_messages_;
-    models_ = models->models;
+    models_ = *models;
   }
 
   void onOverlay(const sensor_msgs::Image::ConstPtr& image) {
@@ -71,6 +71,13 @@ class DemoReport {
     if (opening == openings_.end() || (overlay_ && opening->second < overlay_opening_)) return;
     overlay_ = image;
     overlay_opening_ = opening->second;
+  }
+
+  SceneComparison compare() const {
+    TruthComparison comparison;
+    for (const SceneTruth::ConstPtr& truth : truths_)
+      comparison.add(inFrame(*truth, models_.models.empty() ? truth->header.frame_id : models_.header.frame_id));
+    return comparison.compare(models_.models, TruthLimits());
   }
 
   std::string writePicture() const {
@@ -83,11 +90,11 @@ class DemoReport {
   ros::Subscriber truth_subscriber_, models_subscriber_, overlay_subscriber_;
   double timeout_ = 0, settle_ = 0, overlay_opening_ = 0;
   std::string picture_, scene_;
-  TruthComparison truth_;
-  std::vector<ArticulationModel> models_;
+  std::vector<SceneTruth::ConstPtr> truths_;
+  ArticulationModelArray models_;
   std::map<ros::Time, double> openings_;
   sensor_msgs::Image::ConstPtr overlay_;
-  int truths_ = 0, model_messages_ = 0;
+  int model_messages_ = 0;
   bool script_ended_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cabinet_articulation/SceneTruth.h>
 #include <gtest/gtest.h>
 
+#include "cabinet_articulation/ros/simulation_conversions.h"
 #include "support/ros_probe.h"
 #include "truth_comparison.h"
 
@@ -33,7 +34,7 @@ TEST(EndToEnd, ModelsAreRightAndInTime) {
 
   ASSERT_FALSE(models.messages.empty());
   TruthComparison comparison;
-  for (const auto& frame : truth.messages) comparison.add(*frame);
+  for (const auto& frame : truth.messages) comparison.add(inFrame(*frame, models.messages.back()->header.frame_id));
   const SceneComparison result = comparison.compare(models.messages.back()->models, TruthLimits());
   EXPECT_TRUE(result.right()) << format(result);
   EXPECT_EQ(result.false_movers, 0) << format(result);

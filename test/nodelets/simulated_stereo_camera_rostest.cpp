@@ -122,6 +122,8 @@ TEST(SimulatedStereoCamera, ShowsTheWholeMotionToItsSubscribers) {
   ASSERT_TRUE(buffer.canTransform("world", "test_optical", some.header.stamp, ros::Duration(1)));
   const Eigen::Isometry3d T_world_optical =
       tf2::transformToEigen(buffer.lookupTransform("world", "test_optical", some.header.stamp));
+  EXPECT_EQ(some.camera.header.frame_id, "world");
+  EXPECT_TRUE(fromMessage(some.camera.pose).isApprox(T_world_optical, 1e-6));
   const Eigen::Vector3d axis = T_world_optical.linear() * fromMessage(some.joints[0].axis);
   EXPECT_TRUE(axis.isApprox(-Eigen::Vector3d::UnitY(), 1e-6));
 }

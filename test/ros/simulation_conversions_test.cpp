@@ -41,7 +41,7 @@ TEST(SimulationConversions, TruthKeepsEveryFront) {
   const core::SimulatedStereoCamera camera{core::SimulationConfig()};
   core::GroundTruth truth = camera.truth(60);
   truth.last = true;
-  const SceneTruth message = toMessage(truth, exampleHeader());
+  const SceneTruth message = toMessage(truth, exampleHeader(), "world");
   EXPECT_EQ(message.header, exampleHeader());
   EXPECT_EQ(message.scene, "kitchen");
   EXPECT_TRUE(message.last);
@@ -63,6 +63,21 @@ TEST(SimulationConversions, TruthKeepsEveryFront) {
   }
   EXPECT_GT(message.joints[0].q, 0.1) << "the drawer is open in this frame";
   for (const JointTruth& fixed : message.fixed) EXPECT_EQ(fixed.type, 0) << "rigid";
+}
+
+TEST(SimulationConversions, TruthInTheWorldDoesNotMoveWithTheCamera) {
+  core::SimulationConfig config;
+  config.camera_motion = 0.2;
+  const core::SimulatedStereoCamera camera{config};
+  const auto truthAt = [&](int frame) { return toMessage(camera.truth(frame), exampleHeader(), "world"); };
+  const SceneTruth first = inFrame(truthAt(0), "world"), later = inFrame(truthAt(40), "world");
+  EXPECT_EQ(later.header.frame_id, "world");
+  EXPECT_FALSE(fromMessage(truthAt(0).fixed[0].pose).isApprox(fromMessage(truthAt(40).fixed[0].pose), 1e-3));
+  EXPECT_TRUE(fromMessage(first.fixed[0].pose).isApprox(fromMessage(later.fixed[0].pose), 1e-9));
+  EXPECT_TRUE(fromMessage(first.joints[1].axis).isApprox(fromMessage(later.joints[1].axis), 1e-9));
+  EXPECT_TRUE(fromMessage(first.joints[1].axis_point).isApprox(fromMessage(later.joints[1].axis_point), 1e-9));
+  EXPECT_EQ(inFrame(truthAt(40), exampleHeader().frame_id).joints[0].pose, truthAt(40).joints[0].pose);
+  EXPECT_THROW(inFrame(truthAt(0), "map"), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <std_msgs/Header.h>
 
+#include <string>
+
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 
 namespace cabinet_articulation {
@@ -13,7 +15,10 @@ namespace cabinet_articulation {
 sensor_msgs::CameraInfo toLeftCameraInfo(const core::StereoCamera& camera, const std_msgs::Header& header);
 sensor_msgs::CameraInfo toRightCameraInfo(const core::StereoCamera& camera, const std_msgs::Header& header);
 
-/// `header.frame_id` must name the left optical frame.
-SceneTruth toMessage(const core::GroundTruth& truth, const std_msgs::Header& header);
+/// `header.frame_id` must name the left optical frame, `world_frame` the one in which the simulated furniture rests.
+SceneTruth toMessage(const core::GroundTruth& truth, const std_msgs::Header& header, const std::string& world_frame);
+
+/// The truth in its own frame or in the world. Throws std::invalid_argument for any other frame.
+SceneTruth inFrame(SceneTruth truth, const std::string& frame);
 
 }  // namespace cabinet_articulation
