@@ -14,6 +14,7 @@
 #include "detection_table.h"
 #include "failure_picture.h"
 #include "learned_run.h"
+#include "learning_curve.h"
 #include "options.h"
 #include "parallel.h"
 #include "recorded_sequence.h"
@@ -103,26 +104,30 @@ std::vector<Job> makeJobs(const Options& options) {
   return jobs;
 }
 
+/// The columns of one joint, from its name on; none of them for a run in which nothing moves.
+constexpr char kLearnedHeader[] =
+    "source,variant,objects_moving,front,type,learned,probability,right_from_mm,axis_deg,axis_mm,predicted_mm_mean,"
+    "predicted_mm_max,predicted_deg_mean";
+constexpr int kJointColumns = 10;
+
 void writeLearned(const Job& job, CsvWriter* csv) {
   for (std::size_t k = 0; k < job.learned.size(); ++k) {
-    const Variant& variant = job.variants[k];
-    if (!variant.tracks_guide) continue;  // frame by frame, nothing is learned
+    const std::string& variant = job.variants[k].name;
+    if (!job.variants[k].tracks_guide) continue;  // frame by frame, nothing is learned
     const LearnedRun& run = job.learned[k];
-    if (job.joints.empty()) csv->row(job.name, variant.name, run.movers(), "", "", "", "", "", "", "", "", "", "");
+    if (job.joints.empty()) csv->row(job.name, variant, run.movers(), std::vector<double>(kJointColumns, std::nan("")));
     for (const TrueJoint& joint : job.joints) {
       const std::optional<LearnedJoint> learned = run.find(joint);
-      const std::string type = modelName(joint.type);
-      if (!learned) {
-        csv->row(job.name, variant.name, run.movers(), joint.name, type, "none", "", "", "", "", "", "", "");
-        continue;
-      }
-      const LearnedModel& model = learned->model;
-      csv->row(job.name, variant.name, run.movers(), joint.name, type, model.explained ? modelName(model.type) : "other",
-               model.probabilities[static_cast<std::size_t>(model.type)],
-               learned->right_from ? 1e3 * *learned->right_from : std::nan(""), kDegrees * learned->axis_angle,
-               joint.type == JointType::kRotational ? 1e3 * learned->axis_distance : std::nan(""),
-               1e3 * learned->prediction.position, 1e3 * learned->prediction.position_max,
-               kDegrees * learned->prediction.orientation);
+      const auto of = [&](auto value) { return learned ? value(*learned) : std::nan(""); };
+      csv->row(
+          job.name, variant, run.movers(), joint.name, modelName(joint.type), learned ? selectedName(learned->model) : "none",
+          of([](const LearnedJoint& l) { return l.model.probabilities[static_cast<std::size_t>(l.model.type)]; }),
+          of([](const LearnedJoint& l) { return 1e3 * l.right_from.value_or(std::nan("")); }),
+          of([](const LearnedJoint& l) { return kDegrees * l.axis_angle; }),
+          joint.type == JointType::kRotational ? of([](const LearnedJoint& l) { return 1e3 * l.axis_distance; }) : std::nan(""),
+          of([](const LearnedJoint& l) { return 1e3 * l.prediction.position; }),
+          of([](const LearnedJoint& l) { return 1e3 * l.prediction.position_max; }),
+          of([](const LearnedJoint& l) { return kDegrees * l.prediction.orientation; }));
     }
   }
 }
@@ -134,9 +139,7 @@ int run(int argc, char** argv) {
   cv::setNumThreads(1);  // the cores work on different frames
   std::vector<Job> jobs = makeJobs(options);
   parallelFor(static_cast<int>(jobs.size()), [&](int i) { runJob(failures, &jobs[i]); });
-  CsvWriter learned(options.out("fig11_learned.csv"),
-                    "source,variant,objects_moving,front,type,learned,probability,right_from_mm,axis_deg,axis_mm,"
-                    "predicted_mm_mean,predicted_mm_max,predicted_deg_mean");
+  CsvWriter learned(options.out("fig11_learned.csv"), kLearnedHeader);
   std::vector<Judged> judged;
   for (Job& job : jobs) {
     std::move(job.judged.begin(), job.judged.end(), std::back_inserter(judged));

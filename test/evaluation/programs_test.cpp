@@ -84,7 +84,10 @@ TEST_F(ProgramsTest, Detection) {
   EXPECT_EQ(fronts[1].at("variant"), "ours_depth");
   EXPECT_EQ(fronts[2].at("variant"), "paper");
   EXPECT_EQ(fronts[0].at("judged"), "8");
-  EXPECT_GE(std::stod(fronts[0].at("rate")), 0.5);  // some of the eight hang 3 m away
+  // Some of the eight hang 3 m away.
+  EXPECT_GE(std::stod(fronts[0].at("rate")), 0.5);
+  EXPECT_GE(std::stod(fronts[1].at("rate")), 0.3);
+  EXPECT_GE(std::stod(fronts[2].at("rate")), 0.3);
   int judged = 0;
   for (const Row& row : readTable(folder() / "fig11.csv")) judged += std::stoi(row.at("judged"));
   EXPECT_EQ(judged, 24);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "track_source.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+
+#include "simulated_sources.h"
+
+namespace cabinet_articulation::core::evaluation {
+namespace {
+namespace fs = std::filesystem;
+
+TEST(TrackSource, FramesShowTheFrontThatMoves) {
+  SimulationConfig config;
+  config.scene = "drawer";
+  config.rate = 5;
+  const auto frames = simulateRun(config);
+  const auto source = trackFrames(*frames);
+  EXPECT_EQ(source->facts().type, JointType::kPrismatic);
+  ASSERT_EQ(static_cast<int>(source->reference().size()), frames->size());
+  std::vector<int> all(frames->size());
+  std::iota(all.begin(), all.end(), 0);
+  Track track;
+  source->observe(all, [&](const Track& longer) { track = longer; });
+  ASSERT_GE(track.observations.size(), 10U);  // the drawer is open in some 20 of the frames
+  const TrackedObservation& seen = track.observations[track.observations.size() / 2];
+  const int index = static_cast<int>(std::lround(seen.stamp * config.rate));
+  EXPECT_LT((seen.rectangle.center() - source->reference()[index].rectangle.center()).norm(), 0.015);
+}
+
+TEST(TrackSource, ALogIsItsOwnReference) {
+  const std::string path = (fs::temp_directory_path() / ("track_source_test_" + std::to_string(getpid()))).string();
+  std::ofstream(path) << "0 0 1\n0 0 1.1\n0 0 1.3\n";
+  const auto source = openPoseLog(path, "log", "prismatic");
+  EXPECT_EQ(source->facts().name, "log");
+  EXPECT_FALSE(source->facts().has_orientation);
+  EXPECT_NEAR(source->reference().at(2).opened, 0.3, 1e-12);
+  std::vector<std::size_t> lengths;
+  source->observe({0, 2}, [&](const Track& track) { lengths.push_back(track.observations.size()); });
+  EXPECT_EQ(lengths, (std::vector<std::size_t>{1, 2}));
+  EXPECT_FALSE(openPoseLog(path, "log", "other")->facts().explainable);
+  EXPECT_THROW(openPoseLog(path, "log", "helical"), std::runtime_error);
+  fs::remove(path);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core::evaluation
