@@ -9,21 +9,26 @@
 #include "cabinet_articulation/ros/joints.h"
 #include "clock_jump.h"
 #include "latest_worker.h"
+#include "model_services.h"
 #include "stage_nodelet.h"
 
 namespace cabinet_articulation {
 
-/// Tracks -> models of how each front moves; tf and joint states of those that moved.
+/// Tracks -> models of how each front moves; tf and joint states of those that moved; services on what was learned.
 class ArticulationNodelet : public StageNodelet {
  public:
   ArticulationNodelet() : StageNodelet("articulation") {}
-  ~ArticulationNodelet() override { stop(); }
+  ~ArticulationNodelet() override {
+    if (services_) services_->shutdown();
+    stop();
+  }
 
  private:
   void start() override {
     core::ArticulationConfig config;
     loadSettings(config);
     learner_ = std::make_unique<core::ArticulationLearner>(config);
+    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, [this] { learner_->reset(); });
     worker_ = std::make_unique<LatestWorker<TrackArrayConstPtr>>([this](const auto& tracks) { process(*tracks); });
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
@@ -41,13 +46,18 @@ class ArticulationNodelet : public StageNodelet {
 
   void process(const TrackArray& tracks) {
     const std_msgs::Header& header = tracks.header;
+    std::lock_guard<std::mutex> lock(services_->learning());
+    if (services_->isOutdated(tracks)) return;
     runStage(header, [&] {
       if (clock_jump_(header.stamp)) {
         NODELET_WARN("%s: time jumped back; all models are forgotten", getName().c_str());
         learner_->reset();
+        services_->clear();
         last_transforms_ = ros::Time();
       }
-      const std::vector<core::LearnedModel> models = learner_->process(fromMessage(tracks));
+      std::vector<core::Track> fronts = fromMessage(tracks);
+      const std::vector<core::LearnedModel> models = learner_->process(fronts);
+      services_->update(header, std::move(fronts), models);
       sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
       if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
       broadcast(models, header);
@@ -65,6 +75,7 @@ class ArticulationNodelet : public StageNodelet {
   }
 
   std::unique_ptr<core::ArticulationLearner> learner_;
+  std::unique_ptr<ModelServices> services_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_transforms_;
   std::string prefix_;

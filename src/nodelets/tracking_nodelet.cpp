@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cabinet_articulation/KnownFrontArray.h>
+
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
@@ -31,7 +33,10 @@ struct FixedFrameConfig {
 class TrackingNodelet : public StageNodelet {
  public:
   TrackingNodelet() : StageNodelet("tracking") {}
-  ~TrackingNodelet() override { stop(); }
+  ~TrackingNodelet() override {
+    known_fronts_.shutdown();
+    stop();
+  }
 
  private:
   void start() override {
@@ -40,6 +45,11 @@ class TrackingNodelet : public StageNodelet {
     tracker_ = std::make_unique<core::RectangleTracker>(config);
     worker_ = std::make_unique<LatestWorker<RectangleArrayConstPtr>>([this](const auto& rectangles) { process(*rectangles); });
     require(&rectangles_topic_);
+    // Not lazy: what was known before arrives once, and must not be missed.
+    known_fronts_ = getNodeHandle().subscribe<KnownFrontArray>("known_fronts", 1, [this](const KnownFrontArrayConstPtr& fronts) {
+      std::lock_guard<std::mutex> lock(known_mutex_);
+      new_known_ = fronts;
+    });
     tracks_ = advertise<TrackArray>("tracks");
     // A hint for the detector, whose interest alone must not keep both stages working.
     expected_ = getNodeHandle().advertise<RectangleArray>("expected_rectangles", 1);
@@ -61,12 +71,26 @@ class TrackingNodelet : public StageNodelet {
         NODELET_WARN("%s: time jumped back; all tracks are forgotten", getName().c_str());
         tracker_->reset();
       }
+      startFromKnownFronts();
       const Eigen::Isometry3d T_fixed_camera =
           transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
       const auto& tracks = tracker_->process(header.stamp.toSec(), core::transformed(fromMessage(rectangles), T_fixed_camera));
-      publish(tracks_, toMessage(tracks, header));
+      TrackArray message = toMessage(tracks, header);
+      message.generation = generation_;
+      publish(tracks_, std::move(message));
       publishExpected(header);
     });
+  }
+
+  void startFromKnownFronts() {
+    KnownFrontArrayConstPtr known;
+    {
+      std::lock_guard<std::mutex> lock(known_mutex_);
+      known.swap(new_known_);
+    }
+    if (!known) return;
+    tracker_->reset();
+    generation_ = known->generation;
   }
 
   void publishExpected(const std_msgs::Header& header) {
@@ -83,6 +107,10 @@ class TrackingNodelet : public StageNodelet {
   std::unique_ptr<core::RectangleTracker> tracker_;
   TransformSource transforms_;
   ClockJump clock_jump_;
+  ros::Subscriber known_fronts_;
+  std::mutex known_mutex_;
+  KnownFrontArrayConstPtr new_known_;  ///< not taken over yet
+  std::uint32_t generation_ = 0;       ///< of the known fronts the tracker started from
   ros::Publisher tracks_, expected_;
   std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;
   WatchedSubscriber rectangles_topic_;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-
 namespace cabinet_articulation {
 namespace {
 
@@ -24,28 +22,10 @@ geometry_msgs::TransformStamped transform(const Eigen::Isometry3d& T_parent_chil
 
 }  // namespace
 
-bool isJoint(const core::LearnedModel& model) { return model.moved && model.explained && model.type != core::JointType::kRigid; }
-
 std::string jointPrefix(const std::string& ros_namespace) {
   std::string prefix = ros_namespace.substr(std::min(ros_namespace.find_first_not_of('/'), ros_namespace.size()));
   std::replace(prefix.begin(), prefix.end(), '/', '_');
   return prefix;
-}
-
-Eigen::Isometry3d jointBase(const core::LearnedModel& model) {
-  const bool turns = core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian;
-  const Eigen::Vector3d z = model.axis.normalized();
-  // x towards the front (where it turns) or along its width, as far as that is perpendicular to the axis.
-  Eigen::Vector3d x = model.origin.linear().col(0);
-  if (turns) x = model.origin.translation() - model.axis_point;
-  x -= z * z.dot(x);
-  if (x.norm() < 1e-6) x = z.unitOrthogonal();
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear().col(0) = x.normalized();
-  T.linear().col(1) = z.cross(x.normalized());
-  T.linear().col(2) = z;
-  T.translation() = turns ? model.axis_point : Eigen::Vector3d(model.origin.translation());
-  return T;
 }
 
 std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<core::LearnedModel>& models,

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/ros/joints.h"
+#include "cabinet_articulation/joints/joint.h"
 
 namespace cabinet_articulation {
 namespace {

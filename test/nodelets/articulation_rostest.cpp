@@ -1,98 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cabinet_articulation/ArticulationModelArray.h>
-#include <cabinet_articulation/TrackArray.h>
-#include <gtest/gtest.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 
-#include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "support/ros_probe.h"
+#include "support/moving_fronts.h"
 
 namespace cabinet_articulation {
 namespace {
 
+using test::doorPose;
+using test::drawerPose;
+using test::kFrames;
+using test::kHinge;
 using test::Recorder;
 using test::spinUntil;
 
-constexpr int kFrames = 60, kAtRest = 15;
-const Eigen::Vector3d kHinge(-0.3, 0.1, 1.5);
-
-/// The front of a door 0.4 m wide with a vertical hinge (y is down), closed facing the camera.
-Eigen::Isometry3d doorPose(double q) {
-  return Eigen::Translation3d(kHinge) * Eigen::AngleAxisd(q, Eigen::Vector3d::UnitY()) * Eigen::Translation3d(0.2, 0, 0) *
-         Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
-}
-
-/// A drawer that comes out towards the camera.
-Eigen::Isometry3d drawerPose(double q) {
-  return Eigen::Translation3d(0.5, 0.3, 1.5 - q) * Eigen::Isometry3d(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));
-}
-
-Eigen::Isometry3d wallPose(double) {
-  return Eigen::Translation3d(0.5, -0.5, 2) * Eigen::Isometry3d(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));
-}
-
-/// Feeds tracks that grow frame by frame, with a millimetre of noise.
-class ArticulationNodelet : public testing::Test {
+class ArticulationNodelet : public test::MovingFronts {
  protected:
-  void SetUp() override {
-    tracks_.resize(3);
-    for (size_t i = 0; i < 3; ++i) {
-      tracks_[i].id = nextId();
-      tracks_[i].width = 0.4;
-      tracks_[i].height = i == 1 ? 0.2 : 0.6;
-    }
-    ASSERT_TRUE(spinUntil([&] { return models_.connected() && joint_states_.connected() && output_.getNumSubscribers() > 0; }));
-  }
+  ArticulationNodelet() : MovingFronts("kitchen/left") {}
 
-  /// An id never means two tracks, not even in two tests.
-  static std::uint32_t nextId() {
-    static std::uint32_t id = 6;
-    return ++id;
+  void SetUp() override {
+    MovingFronts::SetUp();
+    ASSERT_TRUE(spinUntil([&] { return joint_states_.connected(); }));
   }
 
   static std::string name(const core::Track& track, const std::string& what) {
     return "kitchen_left_" + std::to_string(track.id) + "_" + what;
-  }
-
-  void observe(core::Track* track, const Eigen::Isometry3d& pose, double stamp) {
-    core::TrackedObservation observation;
-    observation.stamp = stamp;
-    observation.rectangle = {pose, track->width, track->height};
-    observation.rectangle.pose.translation() += 1e-3 * Eigen::Vector3d(noise_(random_), noise_(random_), noise_(random_));
-    observation.covariance.diagonal() << 1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4;
-    track->observations.push_back(observation);
-  }
-
-  /// Publishes the tracks as of `stamp` and returns the models.
-  ArticulationModelArrayConstPtr publish(double stamp) {
-    std_msgs::Header header;
-    header.stamp = ros::Time(stamp);
-    header.frame_id = "map";
-    const size_t before = models_.messages.size();
-    output_.publish(toMessage(tracks_, header));
-    return spinUntil([&] { return models_.messages.size() > before; }) ? models_.messages.back() : nullptr;
-  }
-
-  /// Door and drawer rest for a second, as they do in life, and open; the models of the last frame.
-  ArticulationModelArrayConstPtr play(double start) {
-    ArticulationModelArrayConstPtr models;
-    for (int i = 0; i < kFrames; ++i) {
-      const double stamp = start + i / 15.0;
-      const double opening = std::max(0.0, static_cast<double>(i - kAtRest) / (kFrames - 1 - kAtRest));
-      observe(&tracks_[0], doorPose(1.4 * opening), stamp);
-      observe(&tracks_[1], drawerPose(0.3 * opening), stamp);
-      observe(&tracks_[2], wallPose(0), stamp);
-      models = publish(stamp);
-    }
-    return models;
   }
 
   /// child frame -> stamps, in the order in which they were sent.
@@ -103,12 +40,6 @@ class ArticulationNodelet : public testing::Test {
     return result;
   }
 
-  std::mt19937 random_{1};
-  std::normal_distribution<double> noise_;
-  std::vector<core::Track> tracks_;
-  ros::NodeHandle nh_{"kitchen/left"};
-  ros::Publisher output_ = nh_.advertise<TrackArray>("tracks", 10);
-  Recorder<ArticulationModelArray> models_{"kitchen/left/models"};
   Recorder<sensor_msgs::JointState> joint_states_{"kitchen/left/joint_states"};
   Recorder<tf2_msgs::TFMessage> tf_{"/tf"};
 };

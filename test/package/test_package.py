@@ -20,6 +20,7 @@ LAYERS = {
     'rectangles': {'config', 'geometry', 'stereo', 'planes'},
     'tracking': {'config', 'geometry', 'rectangles'},
     'articulation': {'config', 'geometry', 'rectangles', 'tracking'},
+    'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
     'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
@@ -72,7 +73,7 @@ class Metadata(unittest.TestCase):
 
     def test_every_message_and_source_is_built(self):
         cmake = (ROOT / 'CMakeLists.txt').read_text()
-        for path in sorted((ROOT / 'msg').glob('*.msg')):
+        for path in sorted([*(ROOT / 'msg').glob('*.msg'), *(ROOT / 'srv').glob('*.srv')]):
             self.assertIn(path.name, cmake)
         for path in sources('src', 'test', 'evaluation', 'benchmark'):
             if path.suffix == '.cpp':

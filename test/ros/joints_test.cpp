@@ -23,28 +23,6 @@ TEST(Joints, PrefixIsTheNamespaceInOneWord) {
   EXPECT_EQ(jointPrefix(""), "");
 }
 
-TEST(Joints, BaseOfADoorStandsOnItsHingeAndLooksAtTheFront) {
-  const core::LearnedModel door = test::doorModel();
-  const Eigen::Isometry3d base = jointBase(door);
-  EXPECT_TRUE(base.translation().isApprox(door.axis_point, 1e-12));
-  EXPECT_TRUE(base.linear().col(2).isApprox(door.axis, 1e-12));
-  EXPECT_NEAR((base.inverse() * door.origin.translation()).x(), door.radius, 1e-9);
-  EXPECT_NEAR(base.linear().determinant(), 1, 1e-12);
-}
-
-TEST(Joints, BaseOfADrawerIsTheClosedFront) {
-  const core::LearnedModel drawer = test::drawerModel();
-  const Eigen::Isometry3d base = jointBase(drawer);
-  EXPECT_TRUE(base.translation().isApprox(drawer.origin.translation(), 1e-12));
-  EXPECT_TRUE(base.linear().col(2).isApprox(drawer.axis, 1e-12));
-}
-
-TEST(Joints, BaseIsARotationEvenIfTheAxisGoesThroughTheCentre) {
-  core::LearnedModel model = test::doorModel();
-  model.axis_point = model.origin.translation();
-  EXPECT_TRUE((jointBase(model).linear() * jointBase(model).linear().transpose()).isIdentity(1e-12));
-}
-
 TEST(Joints, TransformsChainToTheFrontAsItIsNow) {
   const core::LearnedModel door = test::doorModel();
   const auto transforms = jointTransforms({door, test::restingModel(), test::unexplainedModel()}, headerAt(5), "cabinet");

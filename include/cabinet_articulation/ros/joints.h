@@ -8,18 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/joint.h"
 
 namespace cabinet_articulation {
 
-/// True for a front that moved in a way that one of the joint types describes. Only these get frames and joint states.
-bool isJoint(const core::LearnedModel& model);
+// Only joints (core::isJoint) have frames and joint states.
 
 /// The namespace of the nodelets as the first part of frame and joint names: "/robot/cabinet" gives "robot_cabinet".
 std::string jointPrefix(const std::string& ros_namespace);
-
-/// The frame that rests: at the axis point (rotational) or at the front with q = 0 (prismatic), z along the axis.
-Eigen::Isometry3d jointBase(const core::LearnedModel& model);
 
 /// For every joint <prefix>_<id>_base in header.frame_id and <prefix>_<id>_front (the front at its q) in the base.
 std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<core::LearnedModel>& models,

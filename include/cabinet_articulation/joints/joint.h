@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+
+namespace cabinet_articulation::core {
+
+/// A learned model cannot answer a question. The message says which front and why.
+class ModelError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// True for a front that moved in a way that one of the models describes.
+bool isJoint(const LearnedModel& model);
+
+/// Throws ModelError, with the reason in words, unless isJoint().
+void requireJoint(const LearnedModel& model);
+
+/// The frame that rests: at the axis point (where q is an angle) or at the front with q = 0, z along the axis.
+Eigen::Isometry3d jointBase(const LearnedModel& model);
+
+/// In words, that some q of an answer lie outside the range that was seen; empty if none do.
+std::string outsideSeenRange(const LearnedModel& model, double q_lowest, double q_highest);
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/joints/joint.h"
+
+#include <sstream>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kRangeMargin = 0.01;  ///< [m or rad] beyond the range is still within its noise
+
+std::string nameOf(const LearnedModel& model) { return "front " + std::to_string(model.id); }
+
+}  // namespace
+
+bool isJoint(const LearnedModel& model) { return model.moved && model.explained && model.type != JointType::kRigid; }
+
+void requireJoint(const LearnedModel& model) {
+  if (!model.moved)
+    throw ModelError(nameOf(model) + " has not moved enough yet to tell how it moves (" + std::to_string(model.observations) +
+                     " observations)");
+  if (!isJoint(model)) throw ModelError(nameOf(model) + " moved, but no joint type describes how");
+}
+
+Eigen::Isometry3d jointBase(const LearnedModel& model) {
+  const bool turns = modelEntry(model.type).unit == ConfigurationUnit::kRadian;
+  const Eigen::Vector3d z = model.axis.normalized();
+  // x towards the front (where it turns) or along its width, as far as that is perpendicular to the axis.
+  Eigen::Vector3d x = model.origin.linear().col(0);
+  if (turns) x = model.origin.translation() - model.axis_point;
+  x -= z * z.dot(x);
+  if (x.norm() < 1e-6) x = z.unitOrthogonal();
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear().col(0) = x.normalized();
+  T.linear().col(1) = z.cross(x.normalized());
+  T.linear().col(2) = z;
+  T.translation() = turns ? model.axis_point : Eigen::Vector3d(model.origin.translation());
+  return T;
+}
+
+std::string outsideSeenRange(const LearnedModel& model, double q_lowest, double q_highest) {
+  if (q_lowest >= model.q_min - kRangeMargin && q_highest <= model.q_max + kRangeMargin) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << nameOf(model) << " was seen from q = " << model.q_min << " to " << model.q_max
+       << (modelEntry(model.type).unit == ConfigurationUnit::kRadian ? " rad" : " m") << "; beyond that this is a guess";
+  return text.str();
+}
+
+}  // namespace cabinet_articulation::core

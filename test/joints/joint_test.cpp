@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/joints/joint.h"
+
+#include <gmock/gmock.h>
+
+#include "support/models.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+using testing::HasSubstr;
+using testing::Property;
+using testing::ThrowsMessage;
+
+TEST(Joint, IsWhatMovedAlongAPathThatAModelDescribes) {
+  EXPECT_TRUE(isJoint(test::doorModel()));
+  EXPECT_TRUE(isJoint(test::drawerModel()));
+  EXPECT_FALSE(isJoint(test::restingModel()));
+  EXPECT_FALSE(isJoint(test::unexplainedModel()));
+}
+
+TEST(Joint, RefusalSaysWhichFrontAndWhy) {
+  EXPECT_NO_THROW(requireJoint(test::doorModel()));
+  EXPECT_THAT([] { requireJoint(test::restingModel()); },
+              ThrowsMessage<ModelError>(HasSubstr("front 1 has not moved enough yet")));
+  EXPECT_THAT([] { requireJoint(test::unexplainedModel()); },
+              ThrowsMessage<ModelError>(HasSubstr("front 5 moved, but no joint type describes how")));
+}
+
+TEST(Joint, BaseOfADoorStandsOnItsHingeAndLooksAtTheFront) {
+  const LearnedModel door = test::doorModel();
+  const Eigen::Isometry3d base = jointBase(door);
+  EXPECT_TRUE(base.translation().isApprox(door.axis_point, 1e-12));
+  EXPECT_TRUE(base.linear().col(2).isApprox(door.axis, 1e-12));
+  EXPECT_NEAR((base.inverse() * door.origin.translation()).x(), door.radius, 1e-9);
+  EXPECT_NEAR(base.linear().determinant(), 1, 1e-12);
+}
+
+TEST(Joint, BaseOfADrawerIsTheClosedFront) {
+  const LearnedModel drawer = test::drawerModel();
+  const Eigen::Isometry3d base = jointBase(drawer);
+  EXPECT_TRUE(base.translation().isApprox(drawer.origin.translation(), 1e-12));
+  EXPECT_TRUE(base.linear().col(2).isApprox(drawer.axis, 1e-12));
+}
+
+TEST(Joint, BaseIsARotationEvenIfTheAxisGoesThroughTheCentre) {
+  LearnedModel model = test::doorModel();
+  model.axis_point = model.origin.translation();
+  EXPECT_TRUE((jointBase(model).linear() * jointBase(model).linear().transpose()).isIdentity(1e-12));
+}
+
+TEST(Joint, WarnsOfOpeningsThatNobodyHasSeen) {
+  const LearnedModel door = test::doorModel();
+  EXPECT_EQ(outsideSeenRange(door, 0, 1.2), "");
+  EXPECT_EQ(outsideSeenRange(door, 0, 1.5), "front 3 was seen from q = 0 to 1.2 rad; beyond that this is a guess");
+  EXPECT_THAT(outsideSeenRange(test::drawerModel(), -0.1, 0), HasSubstr("0.3 m"));
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core

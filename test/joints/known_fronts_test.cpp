@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/joints/known_fronts.h"
+
+#include <gmock/gmock.h>
+
+#include "support/models.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+Track trackOf(const LearnedModel& model) {
+  Track track;
+  track.id = model.id;
+  track.observations.resize(2);
+  return track;
+}
+
+void see(KnownFronts* known, const std::vector<LearnedModel>& models) {
+  std::vector<Track> tracks;
+  for (const LearnedModel& model : models) tracks.push_back(trackOf(model));
+  known->update(tracks, models);
+}
+
+TEST(KnownFronts, SaysWhichFrontsThereAre) {
+  KnownFronts known;
+  EXPECT_THAT([&] { known.at(7); }, ThrowsMessage<ModelError>(HasSubstr("no front 7; none was seen yet")));
+  see(&known, {test::restingModel(), test::doorModel()});
+  EXPECT_THAT([&] { known.at(7); }, ThrowsMessage<ModelError>("there is no front 7; the fronts known are 1, 3"));
+  EXPECT_EQ(known.at(3).type, JointType::kRotational);
+}
+
+TEST(KnownFronts, RemembersJointsThatAreOutOfViewAndForgetsTheRest) {
+  KnownFronts known;
+  see(&known, {test::restingModel(), test::doorModel()});
+  see(&known, {test::drawerModel()});
+  EXPECT_EQ(known.at(3).radius, test::doorModel().radius);
+  EXPECT_THROW(known.at(1), ModelError);
+  const std::vector<KnownFront> joints = known.joints();
+  ASSERT_EQ(joints.size(), 2u);
+  EXPECT_EQ(joints[0].model.id, 3u);
+  EXPECT_EQ(joints[0].track.observations.size(), 2u);
+  EXPECT_EQ(joints[1].model.id, 4u);
+}
+
+TEST(KnownFronts, AFrontThatCameBackKeepsWhatWasKnownUntilItMovesAgain) {
+  KnownFronts known;
+  known.replace({{test::doorModel(), trackOf(test::doorModel())}});
+  LearnedModel back = test::restingModel();
+  back.id = 3;
+  see(&known, {back});
+  EXPECT_TRUE(isJoint(known.at(3)));
+  LearnedModel moved = test::doorModel();
+  moved.q_max = 1.5;
+  see(&known, {moved});
+  EXPECT_EQ(known.at(3).q_max, 1.5);
+  EXPECT_EQ(known.joints().size(), 1u);
+}
+
+TEST(KnownFronts, ReplacingForgetsEverythingElse) {
+  KnownFronts known;
+  see(&known, {test::doorModel()});
+  known.replace({{test::drawerModel(), trackOf(test::drawerModel())}});
+  EXPECT_THROW(known.at(3), ModelError);
+  EXPECT_EQ(known.joints().size(), 1u);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cabinet_articulation/Configuration.h>
+#include <cabinet_articulation/FitTrack.h>
+#include <cabinet_articulation/HandlePath.h>
+#include <cabinet_articulation/KnownFrontArray.h>
+#include <cabinet_articulation/Predict.h>
+#include <std_srvs/Trigger.h>
+
+#include <limits>
+
+#include "cabinet_articulation/ros/pose_conversions.h"
+#include "support/moving_fronts.h"
+
+namespace cabinet_articulation {
+namespace {
+
+using test::doorPose;
+using test::drawerPose;
+using test::Recorder;
+using test::spinUntil;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+class Services : public test::MovingFronts {
+ protected:
+  Services() : MovingFronts("cabinet") {}
+
+  template <class Service>
+  typename Service::Response call(const std::string& name, const typename Service::Request& request) {
+    typename Service::Response response;
+    EXPECT_TRUE(ros::service::waitForService("/cabinet/" + name, ros::Duration(test::kGenerous)));
+    typename Service::Request copy = request;
+    EXPECT_TRUE(ros::service::call("/cabinet/" + name, copy, response)) << name;
+    return response;
+  }
+
+  Predict::Response predict(std::uint32_t id, const std::vector<double>& q) {
+    Predict::Request request;
+    request.id = id;
+    request.q = q;
+    return call<Predict>("predict", request);
+  }
+
+  HandlePath::Request pathRequest() const {
+    HandlePath::Request request;
+    request.id = tracks_[0].id;
+    request.grasp_point.x = 0.15;
+    request.grasp_point.z = 0.03;
+    request.q_to = 1.2;
+    request.steps = 7;
+    return request;
+  }
+};
+
+TEST_F(Services, PredictGivesPosesWithCovarianceAlsoWhereNobodyLooked) {
+  const ArticulationModelArrayConstPtr models = play(100);
+  ASSERT_TRUE(models);
+  const Predict::Response answer = predict(tracks_[0].id, {0, 0.7, 1.4, 1.7});
+  ASSERT_TRUE(answer.success) << answer.message;
+  EXPECT_EQ(answer.header.frame_id, "map");
+  EXPECT_NEAR((answer.header.stamp - models->header.stamp).toSec(), 0, 1e-6);
+  ASSERT_EQ(answer.poses.size(), 4u);
+  EXPECT_NE(answer.message.find("beyond that this is a guess"), std::string::npos) << answer.message;
+  const double qs[] = {0, 0.7, 1.4, 1.7};
+  for (int i = 0; i < 4; ++i) {
+    // Noise of 1 mm over 60 poses: a radius is known to about 2 mm, an opening to about 0.01 rad.
+    const Eigen::Isometry3d error = doorPose(qs[i]).inverse() * fromMessage(answer.poses[i].pose);
+    EXPECT_LT(error.translation().norm(), 0.008) << i;
+    EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle(), 0.03) << i;
+    for (int axis = 0; axis < 6; ++axis) EXPECT_GT(answer.poses[i].covariance[7 * axis], 0) << i << " " << axis;
+  }
+  EXPECT_EQ(predict(tracks_[1].id, {0.1}).message, "");
+}
+
+TEST_F(Services, ConfigurationInvertsPredict) {
+  play(200);
+  Configuration::Request request;
+  request.id = tracks_[1].id;
+  request.pose = toMessage(drawerPose(0.12));
+  request.pose.position.x += 0.05;
+  const auto answer = call<Configuration>("configuration", request);
+  ASSERT_TRUE(answer.success) << answer.message;
+  EXPECT_NEAR(answer.q, 0.12, 0.003);
+  EXPECT_NEAR(answer.residual, 0.05, 0.003);
+  EXPECT_NEAR(answer.orientation_residual, 0, 0.01);
+}
+
+TEST_F(Services, HandlePathFollowsTheHandle) {
+  play(300);
+  const HandlePath::Response answer = call<HandlePath>("handle_path", pathRequest());
+  ASSERT_TRUE(answer.success) << answer.message;
+  ASSERT_EQ(answer.poses.size(), 7u);
+  ASSERT_EQ(answer.q.size(), 7u);
+  EXPECT_EQ(answer.q.back(), 1.2);
+  for (int i = 0; i < 7; ++i) {
+    const Eigen::Isometry3d hand = fromMessage(answer.poses[i].pose);
+    const Eigen::Vector3d expected = doorPose(0.2 * i) * Eigen::Vector3d(0.15, 0, 0.03);
+    EXPECT_LT((hand.translation() - expected).norm(), 0.008) << i;
+    EXPECT_GT(answer.poses[i].covariance[0], 0);
+  }
+}
+
+TEST_F(Services, FitTrackRemembersNothing) {
+  play(400);
+  FitTrack::Request request;
+  request.track = toMessage(tracks_[0], "somewhere");
+  request.track.id = 4711;
+  const FitTrack::Response answer = call<FitTrack>("fit_track", request);
+  ASSERT_TRUE(answer.success) << answer.message;
+  ASSERT_GE(answer.models.size(), 3u) << "all candidates";
+  EXPECT_EQ(answer.models[0].type, ArticulationModel::ROTATIONAL);
+  EXPECT_EQ(answer.models[0].header.frame_id, "somewhere");
+  EXPECT_FALSE(predict(4711, {0}).success);
+}
+
+TEST_F(Services, RefusalsSayWhy) {
+  play(500);
+  const auto refuses = [this](const std::string& words, bool success, const std::string& message) {
+    EXPECT_FALSE(success);
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  };
+  const auto expectPredict = [&](const std::string& words, std::uint32_t id, const std::vector<double>& q) {
+    const Predict::Response answer = predict(id, q);
+    refuses(words, answer.success, answer.message);
+    EXPECT_TRUE(answer.poses.empty());
+  };
+  expectPredict("there is no front 99999; the fronts known are", 99999, {0});
+  expectPredict("has not moved enough yet", tracks_[2].id, {0});
+  expectPredict("q is not finite", tracks_[0].id, {0, kNan});
+  expectPredict("q is empty", tracks_[0].id, {});
+  Configuration::Request pose;
+  pose.id = tracks_[0].id;
+  const auto no_pose = call<Configuration>("configuration", pose);
+  refuses("expected a unit quaternion", no_pose.success, no_pose.message);
+  HandlePath::Request path = pathRequest();
+  path.steps = 4000000000U;
+  const auto too_long = call<HandlePath>("handle_path", path);
+  refuses("expected 2 to 10000", too_long.success, too_long.message);
+  const auto no_track = call<FitTrack>("fit_track", {});
+  refuses("the track has no poses", no_track.success, no_track.message);
+  FitTrack::Request track;
+  track.track = toMessage(tracks_[0], "map");
+  track.track.poses[1].position.x = kNan;
+  const auto bad_track = call<FitTrack>("fit_track", track);
+  refuses("expected finite numbers", bad_track.success, bad_track.message);
+}
+
+TEST_F(Services, ResetForgetsEverythingAndTellsTheTracker) {
+  play(600);
+  ASSERT_TRUE(predict(tracks_[0].id, {0}).success);
+  const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
+  ASSERT_TRUE(spinUntil([&] { return known.connected(); }));
+  const auto answer = call<std_srvs::Trigger>("reset", {});
+  ASSERT_TRUE(answer.success) << answer.message;
+  EXPECT_FALSE(predict(tracks_[0].id, {0}).success);
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
+  EXPECT_TRUE(known.messages.back()->tracks.empty());
+  // What the tracker published before it heard of the reset is not learned from; what it publishes then is.
+  const size_t before = models_.messages.size();
+  send(700);
+  test::spinFor(0.3);
+  EXPECT_EQ(models_.messages.size(), before);
+  generation_ = known.messages.back()->generation;
+  for (core::Track& track : tracks_) track.observations.clear();
+  EXPECT_TRUE(play(800));
+  EXPECT_TRUE(predict(tracks_[0].id, {0}).success);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "services_rostest");
+  ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
