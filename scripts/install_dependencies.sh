@@ -17,7 +17,7 @@ debian_packages=(
   libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libtf2-msgs-dev tf2-tools
   libmessage-filters-dev libcv-bridge-dev libimage-transport-dev libimage-geometry-dev libimage-proc-dev ros-image-proc
   libstereo-image-proc-dev ros-stereo-image-proc
-  librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
+  ros-robot-state-publisher librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure rviz
   # for rostopic echo
   python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs
@@ -26,7 +26,7 @@ debian_packages=(
   ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libstd-srvs-dev python3-std-srvs libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev
   libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
   # libraries
-  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev
+  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev libtinyxml-dev
   # benchmarks, and the figures of the evaluation
   libbenchmark-dev python3-matplotlib
 )

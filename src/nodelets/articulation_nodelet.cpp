@@ -2,6 +2,7 @@
 #include <sensor_msgs/JointState.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
@@ -19,16 +20,24 @@ class ArticulationNodelet : public StageNodelet {
  public:
   ArticulationNodelet() : StageNodelet("articulation") {}
   ~ArticulationNodelet() override {
-    if (services_) services_->shutdown();
     stop();
+    worker_.reset();
+    if (services_) report([this] { return services_->finish(); });
   }
 
  private:
   void start() override {
     core::ArticulationConfig config;
-    loadSettings(config);
+    ModelFileConfig file;
+    loadSettings(config, file, output_);
     learner_ = std::make_unique<core::ArticulationLearner>(config);
-    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, [this] { learner_->reset(); });
+    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file, [this] { learner_->reset(); });
+    report([this] { return services_->loadAtStart(); });
+    offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
+      std::lock_guard<std::mutex> lock(services_->learning());
+      learner_ = std::make_unique<core::ArticulationLearner>(tuned);
+      services_->setConfig(tuned);
+    });
     worker_ = std::make_unique<LatestWorker<TrackArrayConstPtr>>([this](const auto& tracks) { process(*tracks); });
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
@@ -44,11 +53,23 @@ class ArticulationNodelet : public StageNodelet {
 
   void unsubscribe() override { tracks_topic_.shutdown(); }
 
+  /// What happened to the model file. Without it the work goes on.
+  void report(const std::function<std::string()>& work) {
+    try {
+      const std::string text = work();
+      if (!text.empty()) NODELET_INFO("%s: %s", getName().c_str(), text.c_str());
+    } catch (const std::exception& error) {
+      file_trouble_ = error.what();
+      NODELET_ERROR("%s: %s", getName().c_str(), error.what());
+    }
+  }
+
   void process(const TrackArray& tracks) {
     const std_msgs::Header& header = tracks.header;
-    std::lock_guard<std::mutex> lock(services_->learning());
-    if (services_->isOutdated(tracks)) return;
+    if (!file_trouble_.empty()) trouble("models_file", file_trouble_);
     runStage(header, [&] {
+      std::lock_guard<std::mutex> lock(services_->learning());
+      if (services_->isOutdated(tracks)) return;
       if (clock_jump_(header.stamp)) {
         NODELET_WARN("%s: time jumped back; all models are forgotten", getName().c_str());
         learner_->reset();
@@ -57,6 +78,8 @@ class ArticulationNodelet : public StageNodelet {
       }
       std::vector<core::Track> fronts = fromMessage(tracks);
       const std::vector<core::LearnedModel> models = learner_->process(fronts);
+      health().note("models", static_cast<double>(models.size()));
+      health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
       services_->update(header, std::move(fronts), models);
       sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
       if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
@@ -67,7 +90,7 @@ class ArticulationNodelet : public StageNodelet {
 
   /// tf warns about repeated stamps, so each is sent once.
   void broadcast(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header) {
-    if (header.stamp <= last_transforms_) return;
+    if (!output_.publish_tf || header.stamp <= last_transforms_) return;
     const std::vector<geometry_msgs::TransformStamped> transforms = jointTransforms(models, header, prefix_);
     if (transforms.empty()) return;
     broadcaster_.sendTransform(transforms);
@@ -76,6 +99,8 @@ class ArticulationNodelet : public StageNodelet {
 
   std::unique_ptr<core::ArticulationLearner> learner_;
   std::unique_ptr<ModelServices> services_;
+  std::string file_trouble_;
+  FrameOutputConfig output_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_transforms_;
   std::string prefix_;

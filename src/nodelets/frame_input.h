@@ -15,23 +15,10 @@
 #include "cabinet_articulation/stereo/depth_frame.h"
 #include "pair_matcher.h"
 #include "recent_messages.h"
+#include "settings.h"
 #include "watched_subscriber.h"
 
 namespace cabinet_articulation {
-
-/// Where the depth comes from.
-struct FrameInputConfig {
-  std::string input = "disparity";
-  double virtual_baseline = 0.075;  ///< [m]
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("input", self.input, core::Choices{"disparity", "depth"},
-          "topics to subscribe to: disparity (and its images) or depth");
-    visit("virtual_baseline", self.virtual_baseline, core::Range{0.01, 1}, "m",
-          "depth camera: baseline of the pair it is treated as (Kinect: 0.075)");
-  }
-};
 
 /// The messages of one measurement. Either `disparity` or `depth` is there; both images or none.
 struct FrameMessages {

@@ -4,11 +4,14 @@
 #include <cabinet_articulation/KnownFrontArray.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <utility>
 
 #include "cabinet_articulation/joints/prediction.h"
+#include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/ros/joints.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
@@ -51,19 +54,34 @@ void ModelServices::advertise(const std::string& name,
   servers_.push_back(nh_.advertiseService<Request, Response>(name, callback));
 }
 
-ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, std::function<void()> on_reset)
-    : nh_(std::move(nh)), config_(config), on_reset_(std::move(on_reset)) {
+ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const ModelFileConfig& file,
+                             std::function<void()> on_reset)
+    : nh_(std::move(nh)), file_(file), on_reset_(std::move(on_reset)), config_(config) {
+  if (file_.save_at_exit && file_.models_file.empty())
+    throw core::ConfigError("save_at_exit is true, and models_file does not say where to save");
   constexpr bool kLatched = true;
   known_fronts_ = nh_.advertise<KnownFrontArray>("known_fronts", 1, kLatched);
   advertise<Predict>("predict", &ModelServices::predict);
   advertise<Configuration>("configuration", &ModelServices::configuration);
   advertise<FitTrack>("fit_track", &ModelServices::fitTrack);
   advertise<HandlePath>("handle_path", &ModelServices::handlePath);
+  advertise<SaveModels>("save_models", &ModelServices::saveModels);
+  advertise<LoadModels>("load_models", &ModelServices::loadModels);
+  advertise<ExportUrdf>("export_urdf", &ModelServices::exportUrdf);
   advertise<std_srvs::Trigger>("reset", &ModelServices::reset);
 }
 
-void ModelServices::shutdown() {
+std::string ModelServices::loadAtStart() {
+  if (file_.models_file.empty()) return "";
+  if (!std::ifstream(file_.models_file)) return "model file '" + file_.models_file + "' is not there yet";
+  return load(file_.models_file);
+}
+
+std::string ModelServices::finish() {
   for (ros::ServiceServer& server : servers_) server.shutdown();
+  if (!file_.save_at_exit) return "";
+  if (known_.joints().empty()) return "nothing was learned that could be saved";
+  return save(file_.models_file);
 }
 
 bool ModelServices::isOutdated(const TrackArray& tracks) const {
@@ -75,13 +93,25 @@ bool ModelServices::isOutdated(const TrackArray& tracks) const {
 void ModelServices::update(const std_msgs::Header& header, std::vector<core::Track> tracks,
                            const std::vector<core::LearnedModel>& models) {
   std::lock_guard<std::mutex> lock(mutex_);
+  const std::string loaded_frame = loaded_.fronts.empty() ? header.frame_id : loaded_.frame;
   frame_id_ = header.frame_id;
+  if (loaded_frame != header.frame_id) {
+    loaded_ = {};
+    known_.replace({});
+    throw std::runtime_error("the models that were loaded are in the frame '" + loaded_frame + "' and tracks in '" +
+                             header.frame_id + "', so they are forgotten; see fixed_frame");
+  }
   known_.update(std::move(tracks), models);
+}
+
+void ModelServices::setConfig(const core::ArticulationConfig& config) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  config_ = config;
 }
 
 void ModelServices::clear() {
   std::lock_guard<std::mutex> lock(mutex_);
-  known_.replace({});
+  known_.replace(loaded_.fronts);
 }
 
 core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* header) const {
@@ -114,7 +144,12 @@ void ModelServices::configuration(const Configuration::Request& request, Configu
 void ModelServices::fitTrack(const FitTrack::Request& request, FitTrack::Response* response) {
   const core::Track track = fromMessage(request.track);
   if (track.observations.empty()) throw core::ModelError("the track has no poses");
-  for (const core::LearnedModel& model : core::fitAllModels(track, config_))
+  core::ArticulationConfig config;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    config = config_;
+  }
+  for (const core::LearnedModel& model : core::fitAllModels(track, config))
     response->models.push_back(toMessage(model, request.track.header.frame_id));
   if (response->models.empty()) throw core::ModelError("no pose of the track can be used");
 }
@@ -131,21 +166,71 @@ void ModelServices::handlePath(const HandlePath::Request& request, HandlePath::R
       core::outsideSeenRange(model, std::min(request.q_from, request.q_to), std::max(request.q_from, request.q_to));
 }
 
+void ModelServices::saveModels(const SaveModels::Request& request, SaveModels::Response* response) {
+  response->message = save(fileOr(request.file));
+}
+
+void ModelServices::loadModels(const LoadModels::Request& request, LoadModels::Response* response) {
+  response->message = load(fileOr(request.file));
+}
+
+void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response) {
+  std::vector<core::LearnedModel> models;
+  std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::uint32_t id : request.ids) models.push_back(known_.at(id));
+  if (request.ids.empty())
+    for (const core::KnownFront& front : known_.joints())
+      if (core::hasUrdf(front.model)) models.push_back(front.model);
+  if (models.empty()) throw core::ModelError("no front has moved enough yet to tell how it moves");
+  response->urdf = core::toUrdf(models, frame_id_, jointPrefix(nh_.getNamespace()));
+}
+
 void ModelServices::reset(const std_srvs::Trigger::Request&, std_srvs::Trigger::Response* response) {
-  std::lock_guard<std::mutex> lock(learning_);
-  on_reset_();
-  startGeneration();
+  startFrom({});
   response->message = "everything is forgotten";
 }
 
-void ModelServices::startGeneration() {
+std::string ModelServices::fileOr(const std::string& requested) const {
+  if (requested.empty() && file_.models_file.empty()) throw core::ModelFileError("no file is given, and models_file is not set");
+  return requested.empty() ? file_.models_file : requested;
+}
+
+std::string ModelServices::save(const std::string& path) {
+  core::ModelFile models;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    models = {frame_id_, known_.joints()};
+  }
+  core::writeModelFile(path, models);
+  return std::to_string(models.fronts.size()) + " fronts saved to '" + path + "'";
+}
+
+std::string ModelServices::load(const std::string& path) {
+  core::ModelFile models = core::readModelFile(path);
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (!frame_id_.empty() && models.frame != frame_id_ && !models.fronts.empty())
+      throw core::ModelFileError("model file '" + path + "': its poses are in the frame '" + models.frame + "', tracks in '" +
+                                 frame_id_ + "'; nothing is loaded");
+  }
+  const std::string text = std::to_string(models.fronts.size()) + " fronts loaded from '" + path + "'";
+  startFrom(std::move(models));
+  return text;
+}
+
+void ModelServices::startFrom(core::ModelFile models) {
+  std::lock_guard<std::mutex> learning(learning_);
+  on_reset_();
   std::lock_guard<std::mutex> lock(mutex_);
-  known_.replace({});
+  known_.replace(models.fronts);
+  loaded_ = std::move(models);
+  if (!loaded_.fronts.empty()) frame_id_ = loaded_.frame;
   KnownFrontArray message;
   message.header.frame_id = frame_id_;
   // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.
   generation_ = std::max(generation_ + 1, ros::WallTime::now().sec);
   message.generation = generation_;
+  for (const core::KnownFront& front : loaded_.fronts) message.tracks.push_back(toMessage(front.track, loaded_.frame));
   known_fronts_.publish(message);
 }
 

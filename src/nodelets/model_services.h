@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cabinet_articulation/Configuration.h>
+#include <cabinet_articulation/ExportUrdf.h>
 #include <cabinet_articulation/FitTrack.h>
 #include <cabinet_articulation/HandlePath.h>
+#include <cabinet_articulation/LoadModels.h>
 #include <cabinet_articulation/Predict.h>
+#include <cabinet_articulation/SaveModels.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
@@ -15,6 +18,8 @@
 #include <vector>
 
 #include "cabinet_articulation/joints/known_fronts.h"
+#include "cabinet_articulation/joints/model_file.h"
+#include "settings.h"
 
 namespace cabinet_articulation {
 
@@ -22,16 +27,20 @@ namespace cabinet_articulation {
  * The services on what was learned. They may be called at any time from any thread; each answer says in words why there
  * is none.
  *
- * Reset reaches the tracker, which may run elsewhere, by the topic `known_fronts`. Tracks that it published before it
- * heard of that are recognised by their generation.
+ * Resetting and loading reach the tracker, which may run elsewhere, by the topic `known_fronts`. Tracks that it published
+ * before it heard of that are recognised by their generation.
  */
 class ModelServices {
  public:
   /// `nh`: where the services live. `on_reset` forgets what was learned; learning() is held meanwhile.
-  ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, std::function<void()> on_reset);
+  ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const ModelFileConfig& file,
+                std::function<void()> on_reset);
 
-  /// Waits for calls that are running.
-  void shutdown();
+  /// Loads models_file if there is one. Says how it went; throws ModelFileError.
+  std::string loadAtStart();
+
+  /// Ends the services (waiting for calls that are running), and saves if asked to. Says how it went; throws ModelFileError.
+  std::string finish();
 
   /// To be held while tracks are learned from, from isOutdated() to update(): so a reset comes between two frames.
   std::mutex& learning() { return learning_; }
@@ -39,10 +48,13 @@ class ModelServices {
   /// True for tracks of a tracker that does not know of the last reset yet.
   bool isOutdated(const TrackArray& tracks) const;
 
-  /// What one frame gave.
+  /// What one frame gave. Throws std::runtime_error, once, if its frame is not that of the models that were loaded.
   void update(const std_msgs::Header& header, std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models);
 
-  /// Forgets everything.
+  /// For fit_track.
+  void setConfig(const core::ArticulationConfig& config);
+
+  /// Forgets everything but what was loaded from a file.
   void clear();
 
  private:
@@ -55,17 +67,25 @@ class ModelServices {
   void configuration(const Configuration::Request& request, Configuration::Response* response);
   void fitTrack(const FitTrack::Request& request, FitTrack::Response* response);
   void handlePath(const HandlePath::Request& request, HandlePath::Response* response);
+  void saveModels(const SaveModels::Request& request, SaveModels::Response* response);
+  void loadModels(const LoadModels::Request& request, LoadModels::Response* response);
+  void exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response);
   void reset(const std_srvs::Trigger::Request& request, std_srvs::Trigger::Response* response);
-  void startGeneration();
+  std::string fileOr(const std::string& requested) const;
+  std::string save(const std::string& path);
+  std::string load(const std::string& path);
+  void startFrom(core::ModelFile models);
 
   ros::NodeHandle nh_;
-  const core::ArticulationConfig config_;
+  const ModelFileConfig file_;
   const std::function<void()> on_reset_;
 
   std::mutex learning_;
-  mutable std::mutex mutex_;  ///< guards the three below; never held while learning_ is waited for
+  mutable std::mutex mutex_;  ///< guards the five below; never held while learning_ is waited for
+  core::ArticulationConfig config_;
   core::KnownFronts known_;
-  std::string frame_id_;
+  core::ModelFile loaded_;
+  std::string frame_id_;  ///< of the models
   std::uint32_t generation_ = 0;
 
   ros::Publisher known_fronts_;

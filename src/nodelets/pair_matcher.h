@@ -4,26 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "cabinet_articulation/config/config.h"
 #include "recent_messages.h"
+#include "settings.h"
 
 namespace cabinet_articulation {
-
-/// How the two images of a pair find each other.
-struct SyncConfig {
-  bool approximate_sync = false;
-  double sync_tolerance = 0.01;  ///< [s]
-
-  double tolerance() const { return approximate_sync ? sync_tolerance : 0; }
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("approximate_sync", self.approximate_sync,
-          "pair left and right images whose stamps differ (cameras without a common trigger)");
-    visit("sync_tolerance", self.sync_tolerance, core::Range{0, 0.5}, "s",
-          "largest difference of the stamps in an approximate pair");
-  }
-};
 
 enum class Side { kLeft, kRight };
 

@@ -34,6 +34,8 @@ class PlanesNodelet : public StageNodelet {
     SyncConfig sync;
     loadSettings(config, input, sync);
     segmenter_ = std::make_unique<core::PlaneSegmenter>(config);
+    offerTuning<core::PlanesConfig>(config,
+                                    [this](const auto& tuned) { segmenter_ = std::make_unique<core::PlaneSegmenter>(tuned); });
     frames_ = std::make_unique<FrameInput>(input, sync);
     worker_ = std::make_unique<LatestWorker<FrameMessages>>([this](const FrameMessages& messages) { process(messages); });
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
@@ -58,7 +60,9 @@ class PlanesNodelet : public StageNodelet {
       if (valid == 0)
         trouble("no depth", frames_->topic() +
                                 ": no pixel has a valid depth; is the lens covered, the projector off or everything too close?");
-      publish(planes_, toMessage(segmenter_->process(views.frame), messages.header()));
+      const std::vector<core::PlaneRegion> planes = segmenter_->process(views.frame);
+      health().note("planes", static_cast<double>(planes.size()));
+      publish(planes_, toMessage(planes, messages.header()));
     });
   }
 

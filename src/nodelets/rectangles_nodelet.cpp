@@ -31,6 +31,8 @@ class RectanglesNodelet : public StageNodelet {
     SyncConfig sync;
     loadSettings(config, input, sync);
     detector_ = std::make_unique<core::RectangleDetector>(config);
+    offerTuning<core::RectanglesConfig>(
+        config, [this](const auto& tuned) { detector_ = std::make_unique<core::RectangleDetector>(tuned); });
     frames_ = std::make_unique<FrameInput>(input, sync);
     worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
     require(&planes_topic_);
@@ -61,8 +63,9 @@ class RectanglesNodelet : public StageNodelet {
     const std_msgs::Header& header = input.planes->header;
     runStage(header, [&] {
       const FrameViews views = frames_->view(input.frame);
-      publish(rectangles_,
-              toMessage(detector_->process(views.frame, fromMessage(*input.planes), expectedIn(header, input.expected)), header));
+      const auto rectangles = detector_->process(views.frame, fromMessage(*input.planes), expectedIn(header, input.expected));
+      health().note("rectangles", static_cast<double>(rectangles.size()));
+      publish(rectangles_, toMessage(rectangles, header));
     });
   }
 

@@ -16,25 +16,9 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/parameters.h"
 #include "cabinet_articulation/ros/simulation_conversions.h"
+#include "settings.h"
 
 namespace cabinet_articulation {
-namespace {
-
-struct SimulatedCameraSettings {
-  std::string frame_id = "stereo_left_optical_frame";
-  std::string world_frame = "world";
-  bool wait_for_subscribers = false;
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("frame_id", self.frame_id, core::Choices{}, "frame of the images and of the truth");
-    visit("world_frame", self.world_frame, core::Choices{}, "tf of the camera is published in this frame; empty: no tf");
-    visit("wait_for_subscribers", self.wait_for_subscribers,
-          "nothing moves before both images have subscribers, so that they see the whole motion");
-  }
-};
-
-}  // namespace
 
 /// An active stereo camera that exists only in the computer. Topics: left|right/image_raw and camera_info, depth/image and
 /// depth/camera_info (exact), truth. Like a camera, it does not wait: a frame that comes too late is left out.

@@ -9,7 +9,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr double kShowTrouble = 5;  ///< [s] after it was last reported
-constexpr double kLogAgain = 10;    ///< [s]
+constexpr double kLogAgain = 10;    ///< [s] the first time, then twice as long each time
 constexpr double kStandstill = 3;   ///< [s] without a frame turns a warning into an error
 constexpr double kOldStamp = 60;    ///< [s] no pipeline is that slow: the clocks differ
 
@@ -25,6 +25,12 @@ void StageHealth::setActive(bool active, double now) {
   active_ = active;
   last_processed_ = now;
   troubles_.clear();
+}
+
+void StageHealth::setPaused(bool paused, double now) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (paused_ && !paused) last_processed_ = now;
+  paused_ = paused;
 }
 
 void StageHealth::processed(double age, double milliseconds, double now) {
@@ -47,11 +53,12 @@ void StageHealth::note(const std::string& name, double value) {
 
 bool StageHealth::trouble(const std::string& key, const std::string& text, double now) {
   std::lock_guard<std::mutex> lock(mutex_);
-  const bool is_new = troubles_.count(key) == 0;
   Trouble& trouble = troubles_[key];
+  const bool is_new = trouble.text.empty() || now - trouble.reported > kLogAgain;
   trouble.text = text;
   trouble.reported = now;
-  if (!is_new && now - trouble.logged < kLogAgain) return false;
+  if (!is_new && now - trouble.logged < trouble.log_again) return false;
+  trouble.log_again = is_new ? kLogAgain : 2 * trouble.log_again;
   trouble.logged = now;
   return true;
 }
@@ -75,6 +82,9 @@ void StageHealth::describe(double now, diagnostic_updater::DiagnosticStatusWrapp
 void StageHealth::summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const {
   if (!refusal_.empty()) return status->summary(DiagnosticStatus::ERROR, "not running: " + refusal_);
   if (!active_) return status->summary(DiagnosticStatus::OK, "idle: nobody subscribes to its results");
+  if (paused_)
+    return status->summary(DiagnosticStatus::OK,
+                           "simulated time stands still: the bag or the simulation has not started, is paused or over");
   const bool stands_still = now - last_processed_ > kStandstill;
   std::string text;
   for (const auto& entry : troubles_)

@@ -19,6 +19,9 @@ class StageHealth {
   /// Somebody listens to the stage, so it works; or nobody does.
   void setActive(bool active, double now);
 
+  /// Simulated time stands still: a bag that is paused or over is no trouble.
+  void setPaused(bool paused, double now);
+
   /// A frame was processed; `age` [s] is how long ago it was measured.
   void processed(double age, double milliseconds, double now);
 
@@ -40,6 +43,7 @@ class StageHealth {
     std::string text;
     double reported = 0;
     double logged = 0;
+    double log_again = 0;  ///< [s] after `logged`; grows, so that a trouble that stays does not fill the log
   };
 
   void summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const;
@@ -47,6 +51,7 @@ class StageHealth {
   std::mutex mutex_;
   std::string refusal_;
   bool active_ = false;
+  bool paused_ = false;
   double last_processed_ = 0;
   double last_described_ = 0;
   double age_ = 0;

@@ -44,6 +44,7 @@ void StageNodelet::stop() {
     started_ = false;
     outputs.swap(outputs_);
   }
+  if (live_settings_) live_settings_->shutdown();
   // Each of these waits for its callback, which may wait for the mutex.
   timer_.stop();
   for (ros::Publisher& output : outputs) output.shutdown();
@@ -62,6 +63,7 @@ void StageNodelet::followListeners() {
 }
 
 void StageNodelet::runStage(const std_msgs::Header& header, const std::function<void()>& work) {
+  std::lock_guard<std::mutex> lock(working_);
   const double start = now();
   try {
     work();
@@ -84,7 +86,11 @@ void StageNodelet::trouble(const std::string& key, const std::string& text) {
 void StageNodelet::diagnose() {
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    if (subscribed_)
+    const ros::Time time = ros::Time::now();
+    const bool paused = ros::Time::isSimTime() && time == last_diagnosed_;
+    last_diagnosed_ = time;
+    health_.setPaused(paused, now());
+    if (subscribed_ && !paused)
       for (const WatchedSubscriber* input : required_) {
         const std::string silence = input->silence(kPatience);
         if (!silence.empty()) trouble("missing " + input->topic(), silence);

@@ -13,24 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "cabinet_articulation/ros/live_settings.h"
 #include "cabinet_articulation/ros/parameters.h"
+#include "settings.h"
 #include "stage_health.h"
 #include "watched_subscriber.h"
 
 namespace cabinet_articulation {
-
-/// Settings that every stage has besides its own.
-struct StageSettings {
-  bool lazy = true;
-  double diagnostic_period = 1;  ///< [s]
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("lazy", self.lazy, "work only while somebody subscribes to the results");
-    visit("diagnostic_period", self.diagnostic_period, core::Range{0.05, 60}, "s",
-          "how often the state is published on /diagnostics");
-  }
-};
 
 /*
  * What all stages have in common at the ROS edge: settings that are checked before anything starts, inputs that are
@@ -53,6 +42,22 @@ class StageNodelet : public nodelet::Nodelet {
   void loadSettings(Configs&... configs) {
     for (const std::string& warning : loadParameters(getPrivateNodeHandle(), settings_, configs...))
       NODELET_WARN("%s: %s", getName().c_str(), warning.c_str());
+  }
+
+  /// Lets rqt_reconfigure change the settings of the stage. `apply` builds the stage anew, between two frames; it throws to
+  /// refuse.
+  template <class Config>
+  void offerTuning(const Config& config, const std::function<void(const Config&)>& apply) {
+    const auto tuned = std::make_shared<Config>(config);
+    const auto set = [this, tuned, apply](const core::ConfigValues& values) {
+      std::lock_guard<std::mutex> lock(working_);
+      Config changed = *tuned;
+      core::applyConfig(values, changed);
+      apply(changed);
+      *tuned = changed;
+      return toTuning(changed);
+    };
+    live_settings_ = std::make_unique<LiveSettings>(getPrivateNodeHandle(), describeForTuning<Config>(), toTuning(config), set);
   }
 
   /// An output whose subscribers make the stage work.
@@ -93,9 +98,13 @@ class StageNodelet : public nodelet::Nodelet {
   StageHealth health_;
   std::vector<const WatchedSubscriber*> required_;
 
-  std::mutex mutex_;  ///< guards the three below; held while subscribing and unsubscribing
+  std::mutex working_;  ///< held while a frame is worked on or the stage is built anew
+  std::unique_ptr<LiveSettings> live_settings_;
+
+  std::mutex mutex_;  ///< guards the four below; held while subscribing and unsubscribing
   bool started_ = false;
   bool subscribed_ = false;
+  ros::Time last_diagnosed_;
   std::vector<ros::Publisher> outputs_;
 
   ros::Publisher timing_;

@@ -29,6 +29,8 @@ class StereoNodelet : public StageNodelet {
     SyncConfig sync;
     loadSettings(config, sync);
     matcher_ = std::make_unique<core::BlockMatcher>(config);
+    offerTuning<core::StereoConfig>(config,
+                                    [this](const auto& tuned) { matcher_ = std::make_unique<core::BlockMatcher>(tuned); });
     pairs_ = std::make_unique<PairMatcher<sensor_msgs::Image>>(sync.tolerance());
     worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
     for (const WatchedSubscriber* input : {&left_, &right_, &left_info_topic_, &right_info_topic_}) require(input);

@@ -12,22 +12,6 @@
 #include "transform_source.h"
 
 namespace cabinet_articulation {
-namespace {
-
-struct FixedFrameConfig {
-  std::string fixed_frame;
-  double transform_timeout = 0.2;  ///< [s]
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("fixed_frame", self.fixed_frame, core::Choices{},
-          "tf frame in which the furniture rests; empty: the camera's, which then must rest");
-    visit("transform_timeout", self.transform_timeout, core::Range{0, 5}, "s",
-          "how long a frame waits for its transform (wall time)");
-  }
-};
-
-}  // namespace
 
 /// Rectangles -> tracks in the fixed frame, and where the tracks expect the next rectangles.
 class TrackingNodelet : public StageNodelet {
@@ -43,6 +27,12 @@ class TrackingNodelet : public StageNodelet {
     core::TrackingConfig config;
     loadSettings(config, fixed_frame_);
     tracker_ = std::make_unique<core::RectangleTracker>(config);
+    offerTuning<core::TrackingConfig>(config, [this](const auto& tuned) {
+      // Its fronts keep their ids.
+      auto tracker = std::make_unique<core::RectangleTracker>(tuned);
+      tracker->remember(tracker_->tracks(), newest_);
+      tracker_ = std::move(tracker);
+    });
     worker_ = std::make_unique<LatestWorker<RectangleArrayConstPtr>>([this](const auto& rectangles) { process(*rectangles); });
     require(&rectangles_topic_);
     // Not lazy: what was known before arrives once, and must not be missed.
@@ -69,12 +59,14 @@ class TrackingNodelet : public StageNodelet {
     runStage(header, [&] {
       if (clock_jump_(header.stamp)) {
         NODELET_WARN("%s: time jumped back; all tracks are forgotten", getName().c_str());
-        tracker_->reset();
+        startAfresh(header);
       }
-      startFromKnownFronts();
+      newest_ = header.stamp.toSec();
+      takeOverKnownFronts(header);
       const Eigen::Isometry3d T_fixed_camera =
           transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
       const auto& tracks = tracker_->process(header.stamp.toSec(), core::transformed(fromMessage(rectangles), T_fixed_camera));
+      health().note("tracks", static_cast<double>(tracks.size()));
       TrackArray message = toMessage(tracks, header);
       message.generation = generation_;
       publish(tracks_, std::move(message));
@@ -82,15 +74,30 @@ class TrackingNodelet : public StageNodelet {
     });
   }
 
-  void startFromKnownFronts() {
+  void takeOverKnownFronts(const std_msgs::Header& header) {
     KnownFrontArrayConstPtr known;
     {
       std::lock_guard<std::mutex> lock(known_mutex_);
       known.swap(new_known_);
     }
     if (!known) return;
-    tracker_->reset();
     generation_ = known->generation;
+    known_ = known;
+    startAfresh(header);
+  }
+
+  /// Knows nothing but what was learned in earlier runs.
+  void startAfresh(const std_msgs::Header& header) {
+    tracker_->reset();
+    if (!known_ || known_->tracks.empty()) return;
+    if (known_->header.frame_id != header.frame_id) {
+      trouble("known fronts", "known fronts are in the frame '" + known_->header.frame_id + "' and tracks in '" +
+                                  header.frame_id + "'; they are not used");
+      return;
+    }
+    std::vector<core::Track> fronts;
+    for (const Track& track : known_->tracks) fronts.push_back(fromMessage(track));
+    tracker_->remember(std::move(fronts), header.stamp.toSec());
   }
 
   void publishExpected(const std_msgs::Header& header) {
@@ -110,7 +117,9 @@ class TrackingNodelet : public StageNodelet {
   ros::Subscriber known_fronts_;
   std::mutex known_mutex_;
   KnownFrontArrayConstPtr new_known_;  ///< not taken over yet
-  std::uint32_t generation_ = 0;       ///< of the known fronts the tracker started from
+  KnownFrontArrayConstPtr known_;
+  double newest_ = 0;             ///< [s] stamp of the newest frame
+  std::uint32_t generation_ = 0;  ///< of the known fronts the tracker started from
   ros::Publisher tracks_, expected_;
   std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;
   WatchedSubscriber rectangles_topic_;

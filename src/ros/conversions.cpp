@@ -118,6 +118,9 @@ core::Track fromMessage(const Track& message) {
     if (!message.covariances.empty())
       observation.covariance = Eigen::Map<const core::Matrix6d>(&message.covariances[36 * i]).transpose();
     if (!message.edge_support.empty()) std::copy_n(&message.edge_support[4 * i], 4, observation.edge_support.begin());
+    // What was placed by the track's size is the best that is known of what was measured.
+    observation.measured = observation.rectangle;
+    observation.measured_covariance = observation.covariance;
   }
   return track;
 }

@@ -106,4 +106,17 @@ PoseLog readPoseLog(const std::string& path) {
   return readPoseLog(in, path);
 }
 
+void writePoseLog(const Track& track, std::ostream& out) {
+  out << "# x y z qx qy qz qw width height; track " << track.id << "\n";
+  out.precision(9);
+  for (const TrackedObservation& observation : track.observations) {
+    const Rectangle& rectangle = observation.rectangle;
+    const Eigen::Vector3d corner = rectangle.corners()[0];
+    const Eigen::Quaterniond q(rectangle.pose.linear());
+    for (const double value : {corner.x(), corner.y(), corner.z(), q.x(), q.y(), q.z(), q.w(), rectangle.width})
+      out << value << ' ';
+    out << rectangle.height << '\n';
+  }
+}
+
 }  // namespace cabinet_articulation::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <istream>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 
@@ -26,5 +27,8 @@ struct PoseLog {
 /// Throws PoseLogError. Quaternions up to 5 % off unit length are normalised.
 PoseLog readPoseLog(std::istream& in, const std::string& name);
 PoseLog readPoseLog(const std::string& path);
+
+/// The track as a log of 9 columns that readPoseLog() and the original release read; stamps are lost.
+void writePoseLog(const Track& track, std::ostream& out);
 
 }  // namespace cabinet_articulation::core

@@ -61,6 +61,24 @@ void RectangleTracker::reset() {
   last_stamp_ = -std::numeric_limits<double>::infinity();
 }
 
+void RectangleTracker::remember(std::vector<Track> fronts, double stamp) {
+  for (Track& front : fronts) {
+    if (front.observations.empty()) continue;
+    next_id_ = std::max(next_id_, front.id + 1);
+    const double late = front.observations.back().stamp - (stamp - config_.timeout);
+    FrontSize size(config_);
+    for (TrackedObservation& observation : front.observations) {
+      observation.stamp -= std::max(0.0, late);
+      DetectedRectangle detection;
+      detection.rectangle = observation.measured;
+      detection.edge_support = observation.edge_support;
+      size.add(detection);
+    }
+    const int seen = static_cast<int>(front.observations.size());
+    ended_.keep(std::move(front), {std::move(size), seen, seen, 0});
+  }
+}
+
 const std::vector<Track>& RectangleTracker::process(double stamp, const std::vector<DetectedRectangle>& rectangles) {
   if (!std::isfinite(stamp) || !(stamp > last_stamp_)) return live_.tracks;
   last_stamp_ = stamp;

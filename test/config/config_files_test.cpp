@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "../../src/tools/config_catalogue.h"
+#include "../../src/tools/parameter_tables.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -24,6 +25,19 @@ TEST_P(ConfigFiles, LoadAndListEveryFieldWithItsDefault) {
 TEST_P(ConfigFiles, EveryFieldSaysWhatItMeans) {
   for (const detail::FieldText& field : GetParam().fields) EXPECT_GE(field.meaning.size(), 10u) << field.key;
 }
+
+class NodeletPages : public testing::TestWithParam<ParameterTable> {};
+
+TEST_P(NodeletPages, EndWithTheParametersOfTheCode) {
+  std::ifstream file(std::string(DOC_DIR) + "/nodelets/" + GetParam().nodelet + ".md");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const size_t at = text.find("## Parameters\n");
+  ASSERT_NE(at, std::string::npos) << "no page, or no parameters on it";
+  EXPECT_EQ(text.substr(at), "## Parameters\n" + GetParam().markdown) << "scripts/update_config.sh writes the pages again";
+}
+
+INSTANTIATE_TEST_SUITE_P(Nodelets, NodeletPages, testing::ValuesIn(parameterTables()),
+                         [](const auto& info) { return info.param.nodelet; });
 
 INSTANTIATE_TEST_SUITE_P(Stages, ConfigFiles, testing::ValuesIn(configCatalogue()),
                          [](const auto& info) { return info.param.stage; });

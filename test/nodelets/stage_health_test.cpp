@@ -69,13 +69,17 @@ TEST(StageHealth, NamesAllTroublesAtOnce) {
   EXPECT_EQ(describe(health, 2).message, "first; second");
 }
 
-TEST(StageHealth, AsksToLogATroubleNowAndThen) {
+TEST(StageHealth, AsksToLogATroubleNowAndThenAndEverLessOften) {
   StageHealth health;
   health.setActive(true, 0);
   EXPECT_TRUE(health.trouble("a", "differ by 33 ms", 1));
   EXPECT_FALSE(health.trouble("a", "differ by 34 ms", 2));
   EXPECT_TRUE(health.trouble("b", "something else", 2));
   EXPECT_TRUE(health.trouble("a", "differ by 35 ms", 11.5));
+  EXPECT_FALSE(health.trouble("a", "differ by 36 ms", 21));
+  EXPECT_FALSE(health.trouble("a", "differ by 36 ms", 31));
+  EXPECT_TRUE(health.trouble("a", "differ by 36 ms", 32));
+  EXPECT_TRUE(health.trouble("a", "differ by 37 ms", 100)) << "came back after it was gone";
 }
 
 TEST(StageHealth, SilenceWithoutAReasonIsAWarningToo) {
@@ -85,6 +89,18 @@ TEST(StageHealth, SilenceWithoutAReasonIsAWarningToo) {
   const auto status = describe(health, 14);
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
   EXPECT_EQ(status.message, "no frame for 4 s");
+}
+
+TEST(StageHealth, PausedTimeIsNoTrouble) {
+  StageHealth health;
+  health.setActive(true, 0);
+  health.processed(0.1, 5, 1);
+  health.setPaused(true, 2);
+  const auto status = describe(health, 1000);
+  EXPECT_EQ(status.level, DiagnosticStatus::OK);
+  EXPECT_NE(status.message.find("simulated time stands still"), std::string::npos);
+  health.setPaused(false, 1000);
+  EXPECT_EQ(describe(health, 1002).level, DiagnosticStatus::OK) << "time to begin again";
 }
 
 TEST(StageHealth, RecognisesStampsOfAnotherClock) {

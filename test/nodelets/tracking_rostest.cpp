@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cabinet_articulation/KnownFrontArray.h>
 #include <cabinet_articulation/RectangleArray.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <gtest/gtest.h>
@@ -140,6 +141,36 @@ TEST_F(TrackingNodelet, StartsAfreshWhenTheClockIsSetBack) {
   EXPECT_NE(after.tracks[0].id, before.tracks[0].id) << "an id never means two tracks";
   EXPECT_LT(after.tracks[0].stamps[0], start_);
   EXPECT_TRUE(spinUntil([&] { return reports_.logged(rosgraph_msgs::Log::WARN, "time jumped back; all tracks are forgotten"); }));
+}
+
+TEST_F(TrackingNodelet, GivesKnownFrontsTheirIdsAlsoAfterTheClockWasSetBack) {
+  core::Track known;
+  known.id = 4711;
+  known.width = front().rectangle.width;
+  known.height = front().rectangle.height;
+  for (int i = 0; i < 10; ++i) {
+    core::TrackedObservation observation;
+    observation.stamp = 1000 + 0.1 * i;
+    observation.rectangle = front().rectangle;
+    observation.covariance = front().covariance;
+    known.observations.push_back(observation);
+  }
+  KnownFrontArray message;
+  message.header.frame_id = "map";
+  message.generation = 77;
+  message.tracks.push_back(toMessage(known, "map"));
+  ros::Publisher publisher = nh_.advertise<KnownFrontArray>("known_fronts", 1, true);
+  publisher.publish(message);
+  ASSERT_TRUE(spinUntil([&] { return publisher.getNumSubscribers() > 0; }));
+  TrackArray tracks;
+  ASSERT_TRUE(spinUntil([&] { return (tracks = firstTracks(10)).generation == 77; })) << "says whose fronts it knows";
+  ASSERT_EQ(tracks.tracks.size(), 1u);
+  EXPECT_EQ(tracks.tracks[0].id, 4711u);
+  EXPECT_GT(tracks.tracks[0].poses.size(), 10u);
+  const TrackArray later = firstTracks(-60);
+  ASSERT_EQ(later.tracks.size(), 1u);
+  EXPECT_EQ(later.tracks[0].id, 4711u);
+  EXPECT_LT(later.tracks[0].stamps.back(), start_);
 }
 
 }  // namespace

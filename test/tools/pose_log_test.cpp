@@ -69,5 +69,19 @@ TEST(PoseLog, MissingFilesAndFoldersAreRefused) {
   EXPECT_THROW(readPoseLog("/"), PoseLogError);
 }
 
+TEST(PoseLog, ReadsWhatItWrote) {
+  const PoseLog log = read("0.1 0.2 1.5 0 0.6 0 0.8 0.4 0.3\n0.1 0.2 1.4 0 0.6 0 0.8 0.41 0.29\n");
+  std::stringstream text;
+  writePoseLog(log.track, text);
+  const PoseLog again = readPoseLog(text, "again");
+  EXPECT_EQ(again.columns, 9);
+  ASSERT_EQ(again.track.observations.size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(again.track.observations[i].rectangle.pose.isApprox(log.track.observations[i].rectangle.pose, 1e-8));
+    EXPECT_EQ(again.track.observations[i].rectangle.width, log.track.observations[i].rectangle.width);
+    EXPECT_EQ(again.track.observations[i].rectangle.height, log.track.observations[i].rectangle.height);
+  }
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

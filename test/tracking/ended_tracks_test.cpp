@@ -78,6 +78,28 @@ TEST_F(LostDrawer, ResetForgetsItForGood) {
   expectNew(drawer());
 }
 
+TEST(EndedTracks, FrontsOfAnEarlierRunAreKnownWhateverItsClockSaid) {
+  NoisyDetector detect(1);
+  RectangleTracker yesterday{TrackingConfig()};
+  yesterday.process(99, {detect.fromFront(closedFront(1.5, 0.5, 0.5))});
+  for (int i = 0; i <= 20; ++i)
+    yesterday.process(100 + i * kFrame,
+                      {detect.fromFront(pulled(drawer(), 0.2 * i / 20)), detect.fromFront(closedFront(1.5, 0.5, 0.5))});
+  ASSERT_EQ(yesterday.tracks().size(), 2u);
+  for (const double now : {5.0, 101.0, 1e6}) {
+    RectangleTracker today{TrackingConfig()};
+    today.remember(yesterday.tracks(), now);
+    EXPECT_TRUE(today.tracks().empty()) << "not seen yet";
+    today.process(now, {detect.fromFront(closedFront(-1.5, 0.3, 0.3)), detect(pulled(drawer(), 0.1))});
+    ASSERT_EQ(today.tracks().size(), 2u);
+    EXPECT_EQ(today.tracks()[0].id, 1u) << "its old id";
+    EXPECT_EQ(today.tracks()[0].observations.size(), 22u) << "its old history";
+    EXPECT_EQ(today.tracks()[1].id, 2u) << "a new front gets none of the old ids";
+    for (size_t i = 1; i < 22; ++i)
+      EXPECT_GT(today.tracks()[0].observations[i].stamp, today.tracks()[0].observations[i - 1].stamp);
+  }
+}
+
 TEST(EndedTracks, ADoorComesBackAtAnyAngle) {
   for (double q : {0.0, 0.4, 1.0, 1.6}) {
     NoisyDetector detect(2);

@@ -37,6 +37,10 @@ class RectangleTracker {
   std::vector<Rectangle> expected(double stamp) const;
   std::vector<Rectangle> expected() const { return expected(last_stamp_); }
 
+  /// Fronts of an earlier run, or of another tracker: like those whose tracks ended, they get their ids and histories back
+  /// when they return. They count as seen before `stamp` [s], whatever their own stamps say (clocks may be set back).
+  void remember(std::vector<Track> fronts, double stamp);
+
   /// Forgets all tracks; ids go on counting, so that an id never means two fronts.
   void reset();
 

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_file_fields.h"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+using Numbers = std::vector<double>;
+
+constexpr std::size_t kPose = 7, kTriangle = 21, kEdges = 4;
+constexpr std::size_t kObservation = 1 + kPose + 2 + kEdges + kTriangle;
+constexpr double kUnitTolerance = 1e-6;
+
+/// Twelve digits: less than a nanometre, and to the millisecond in a stamp of today.
+std::string toText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), std::abs(value) > 1e6 ? "%.6f" : "%.12g", value);
+  return text;
+}
+
+YAML::Node list(const Numbers& numbers) {
+  YAML::Node node;
+  node.SetStyle(YAML::EmitterStyle::Flow);
+  for (const double number : numbers) node.push_back(toText(number));
+  return node;
+}
+
+void append(const Eigen::Vector3d& v, Numbers* numbers) { numbers->insert(numbers->end(), v.data(), v.data() + 3); }
+
+void append(const Eigen::Isometry3d& pose, Numbers* numbers) {
+  append(Eigen::Vector3d(pose.translation()), numbers);
+  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
+  numbers->insert(numbers->end(), q.coeffs().data(), q.coeffs().data() + 4);
+}
+
+void append(const Matrix6d& covariance, Numbers* numbers) {
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) numbers->push_back(covariance(i, j));
+}
+
+template <class Value>
+YAML::Node list(const Value& value) {
+  Numbers numbers;
+  append(value, &numbers);
+  return list(numbers);
+}
+
+double number(const YAML::Node& node, const std::string& field) {
+  double value = 0;
+  if (!node || !node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
+    throw std::runtime_error("'" + field + "' is missing or no finite number");
+  return value;
+}
+
+std::uint32_t count(const YAML::Node& node, const std::string& field) {
+  const double value = number(node, field);
+  if (value < 0 || value > 4294967295.0 || value != std::floor(value))
+    throw std::runtime_error("'" + field + "' is not a whole number from 0 on");
+  return static_cast<std::uint32_t>(value);
+}
+
+Numbers numbers(const YAML::Node& node, const std::string& field, std::size_t size) {
+  if (!node || !node.IsSequence() || node.size() != size)
+    throw std::runtime_error("'" + field + "' is not a list of " + std::to_string(size) + " numbers");
+  Numbers result;
+  for (const YAML::Node& element : node) result.push_back(number(element, field));
+  return result;
+}
+
+Eigen::Vector3d unitVector(const YAML::Node& node, const std::string& field) {
+  const Numbers n = numbers(node, field, 3);
+  const Eigen::Vector3d v(n[0], n[1], n[2]);
+  if (std::abs(v.norm() - 1) > kUnitTolerance) throw std::runtime_error("'" + field + "' is not of unit length");
+  return v.normalized();
+}
+
+Eigen::Isometry3d pose(const double* n, const std::string& field) {
+  const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
+  if (std::abs(q.norm() - 1) > kUnitTolerance) throw std::runtime_error("'" + field + "' has no unit quaternion");
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = q.normalized().toRotationMatrix();
+  pose.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
+  return pose;
+}
+
+Matrix6d covariance(const double* n) {
+  Matrix6d covariance;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) covariance(i, j) = covariance(j, i) = *n++;
+  return covariance;
+}
+
+double length(const YAML::Node& node, const std::string& field) {
+  const double value = number(node, field);
+  if (value <= 0) throw std::runtime_error("'" + field + "' is " + toText(value) + ", expected a length");
+  return value;
+}
+
+JointType typeFromName(const YAML::Node& node) {
+  for (const ModelEntry& entry : modelRegistry())
+    if (node && node.IsScalar() && node.Scalar() == entry.name) return entry.type;
+  throw std::runtime_error("'type' is no kind of joint");
+}
+
+YAML::Node observationsToYaml(const Track& track) {
+  YAML::Node node;
+  for (const TrackedObservation& observation : track.observations) {
+    Numbers n{observation.stamp};
+    append(observation.rectangle.pose, &n);
+    n.insert(n.end(), {observation.rectangle.width, observation.rectangle.height});
+    n.insert(n.end(), observation.edge_support.begin(), observation.edge_support.end());
+    append(observation.covariance, &n);
+    node.push_back(list(n));
+  }
+  return node;
+}
+
+TrackedObservation observationFromYaml(const YAML::Node& node) {
+  const Numbers n = numbers(node, "observations", kObservation);
+  TrackedObservation observation;
+  observation.stamp = n[0];
+  observation.rectangle = {pose(&n[1], "observations"), n[8], n[9]};
+  if (n[8] <= 0 || n[9] <= 0) throw std::runtime_error("an observation has no size");
+  for (std::size_t i = 0; i < kEdges; ++i) observation.edge_support[i] = static_cast<float>(n[10 + i]);
+  observation.covariance = covariance(&n[10 + kEdges]);
+  observation.measured = observation.rectangle;
+  observation.measured_covariance = observation.covariance;
+  return observation;
+}
+
+}  // namespace
+
+YAML::Node toYaml(const KnownFront& front) {
+  const LearnedModel& model = front.model;
+  YAML::Node node;
+  node["id"] = model.id;
+  node["type"] = modelName(model.type);
+  node["stamp"] = toText(model.stamp);
+  node["probabilities"] = list(model.probabilities);
+  node["origin"] = list(model.origin);
+  node["axis"] = list(model.axis);
+  node["axis_point"] = list(model.axis_point);
+  for (const Eigen::Isometry3d& pose : model.curve) node["curve"].push_back(list(pose));
+  const std::pair<const char*, double> scalars[] = {{"radius", model.radius},
+                                                    {"q", model.q},
+                                                    {"q_min", model.q_min},
+                                                    {"q_max", model.q_max},
+                                                    {"width", model.width},
+                                                    {"height", model.height},
+                                                    {"position_error", model.position_error},
+                                                    {"orientation_error", model.orientation_error}};
+  for (const auto& [name, value] : scalars) node[name] = toText(value);
+  node["covariance"] = list(model.covariance);
+  node["number_of_observations"] = model.observations;
+  for (const ModelParam& param : model.params) node["params"][param.name] = list(Numbers{param.value, double(param.kind)});
+  node["observations"] = observationsToYaml(front.track);
+  return node;
+}
+
+KnownFront frontFromYaml(const YAML::Node& node) {
+  if (!node.IsMap()) throw std::runtime_error("expected a group of fields");
+  KnownFront front;
+  LearnedModel& model = front.model;
+  model.id = count(node["id"], "id");
+  model.moved = model.explained = true;
+  model.type = typeFromName(node["type"]);
+  model.stamp = number(node["stamp"], "stamp");
+  model.probabilities = numbers(node["probabilities"], "probabilities", modelRegistry().size());
+  model.origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");
+  model.axis = unitVector(node["axis"], "axis");
+  const Numbers point = numbers(node["axis_point"], "axis_point", 3);
+  model.axis_point = Eigen::Vector3d(point[0], point[1], point[2]);
+  for (const YAML::Node& entry : node["curve"]) model.curve.push_back(pose(numbers(entry, "curve", kPose).data(), "curve"));
+  model.radius = number(node["radius"], "radius");
+  model.q = number(node["q"], "q");
+  model.q_min = number(node["q_min"], "q_min");
+  model.q_max = number(node["q_max"], "q_max");
+  if (model.q_min > model.q_max) throw std::runtime_error("'q_min' is more than 'q_max'");
+  model.width = length(node["width"], "width");
+  model.height = length(node["height"], "height");
+  model.position_error = number(node["position_error"], "position_error");
+  model.orientation_error = number(node["orientation_error"], "orientation_error");
+  model.covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
+  model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations"));
+  for (const auto& entry : node["params"]) {
+    const Numbers param = numbers(entry.second, "params", 2);
+    model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
+  }
+  front.track.id = model.id;
+  front.track.width = model.width;
+  front.track.height = model.height;
+  for (const YAML::Node& entry : node["observations"]) front.track.observations.push_back(observationFromYaml(entry));
+  if (front.track.observations.empty()) throw std::runtime_error("'observations' is missing or empty");
+  return front;
+}
+
+}  // namespace cabinet_articulation::core

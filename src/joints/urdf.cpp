@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/joints/urdf.h"
+
+#include <tinyxml.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <memory>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+// What a camera cannot see, and a description must have (ours: an ordinary kitchen front).
+constexpr double kThickness = 0.02;    // [m]
+constexpr double kDensity = 700;       // [kg/m^3] wood
+constexpr double kEffort = 100;        // [N or Nm]
+constexpr double kVelocity = 1;        // [m/s or rad/s]
+constexpr double kLeastLength = 0.01;  // [m] of a panel's side, for a positive inertia
+
+urdf::Pose toPose(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
+  urdf::Pose result;
+  result.position = {pose.translation().x(), pose.translation().y(), pose.translation().z()};
+  result.rotation = {q.x(), q.y(), q.z(), q.w()};
+  return result;
+}
+
+/// Behind the front's surface.
+urdf::Pose panelPose() {
+  urdf::Pose pose;
+  pose.position.z = -kThickness / 2;
+  return pose;
+}
+
+/// Of a homogeneous box.
+urdf::InertialSharedPtr inertiaOf(const urdf::Box& box) {
+  const urdf::Vector3& d = box.dim;
+  const auto inertial = std::make_shared<urdf::Inertial>();
+  inertial->origin = panelPose();
+  inertial->mass = kDensity * d.x * d.y * d.z;
+  inertial->ixx = inertial->mass / 12 * (d.y * d.y + d.z * d.z);
+  inertial->iyy = inertial->mass / 12 * (d.x * d.x + d.z * d.z);
+  inertial->izz = inertial->mass / 12 * (d.x * d.x + d.y * d.y);
+  return inertial;
+}
+
+class Description {
+ public:
+  Description(const std::string& frame, const std::string& prefix) : prefix_(prefix) {
+    description_.name_ = prefix;
+    addLink(frame);
+    description_.root_link_ = description_.links_.at(frame);
+    frame_ = frame;
+  }
+
+  void add(const LearnedModel& model) {
+    const std::string name = prefix_ + "_" + std::to_string(model.id);
+    const Eigen::Isometry3d T_frame_base = jointBase(model);
+    addLink(name + "_base");
+    addLink(name + "_leaf");
+    addPanel(addLink(name + "_front"), model);
+    connect(name + "_mount", frame_, name + "_base", T_frame_base);
+    connect(name + "_panel", name + "_leaf", name + "_front", T_frame_base.inverse() * model.origin);
+    const urdf::JointSharedPtr joint = connect(name + "_joint", name + "_base", name + "_leaf", Eigen::Isometry3d::Identity());
+    const bool turns = modelEntry(model.type).unit == ConfigurationUnit::kRadian;
+    joint->type = turns ? urdf::Joint::REVOLUTE : urdf::Joint::PRISMATIC;
+    joint->axis = {0, 0, 1};
+    joint->limits = std::make_shared<urdf::JointLimits>();
+    joint->limits->lower = model.q_min;
+    joint->limits->upper = model.q_max;
+    joint->limits->effort = kEffort;
+    joint->limits->velocity = kVelocity;
+  }
+
+  std::string text() const {
+    const std::unique_ptr<TiXmlDocument> document(urdf::exportURDF(description_));
+    TiXmlPrinter printer;
+    document->Accept(&printer);
+    return printer.Str();
+  }
+
+ private:
+  urdf::LinkSharedPtr addLink(const std::string& name) {
+    const auto link = std::make_shared<urdf::Link>();
+    link->name = name;
+    description_.links_[name] = link;
+    return link;
+  }
+
+  urdf::JointSharedPtr connect(const std::string& name, const std::string& parent, const std::string& child,
+                               const Eigen::Isometry3d& T_parent_child) {
+    const auto joint = std::make_shared<urdf::Joint>();
+    joint->name = name;
+    joint->type = urdf::Joint::FIXED;
+    joint->parent_link_name = parent;
+    joint->child_link_name = child;
+    joint->parent_to_joint_origin_transform = toPose(T_parent_child);
+    description_.joints_[name] = joint;
+    return joint;
+  }
+
+  void addPanel(const urdf::LinkSharedPtr& link, const LearnedModel& model) {
+    const auto box = std::make_shared<urdf::Box>();
+    box->dim = {std::max(model.width, kLeastLength), std::max(model.height, kLeastLength), kThickness};
+    link->visual = std::make_shared<urdf::Visual>();
+    link->visual->origin = panelPose();
+    link->visual->geometry = box;
+    link->visual_array.push_back(link->visual);
+    link->collision = std::make_shared<urdf::Collision>();
+    link->collision->origin = panelPose();
+    link->collision->geometry = box;
+    link->collision_array.push_back(link->collision);
+    link->inertial = inertiaOf(*box);
+  }
+
+  urdf::ModelInterface description_;
+  std::string prefix_, frame_;
+};
+
+}  // namespace
+
+bool hasUrdf(const LearnedModel& model) {
+  return isJoint(model) && (model.type == JointType::kPrismatic || model.type == JointType::kRotational);
+}
+
+std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& frame, const std::string& prefix) {
+  Description description(frame, prefix);
+  for (const LearnedModel& model : models) {
+    requireJoint(model);
+    if (!hasUrdf(model))
+      throw ModelError("front " + std::to_string(model.id) + " is " + modelName(model.type) +
+                       ", and URDF has only prismatic and rotational joints");
+    description.add(model);
+  }
+  return description.text();
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "cabinet_articulation/config/config.h"
+
+/*
+ * What can be set at a nodelet besides the configuration of its stage. In one place, so that the documentation is printed from
+ * the same lists.
+ */
+
+namespace cabinet_articulation {
+
+/// Settings that every stage has besides its own.
+struct StageSettings {
+  bool lazy = true;
+  double diagnostic_period = 1;  ///< [s]
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("lazy", self.lazy, "work only while somebody subscribes to the results");
+    visit("diagnostic_period", self.diagnostic_period, core::Range{0.05, 60}, "s",
+          "how often the state is published on /diagnostics");
+  }
+};
+
+/// How the two images of a pair find each other.
+struct SyncConfig {
+  bool approximate_sync = false;
+  double sync_tolerance = 0.01;  ///< [s]
+
+  double tolerance() const { return approximate_sync ? sync_tolerance : 0; }
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("approximate_sync", self.approximate_sync,
+          "pair left and right images whose stamps differ (cameras without a common trigger)");
+    visit("sync_tolerance", self.sync_tolerance, core::Range{0, 0.5}, "s",
+          "largest difference of the stamps in an approximate pair");
+  }
+};
+
+/// Where the depth comes from.
+struct FrameInputConfig {
+  std::string input = "disparity";
+  double virtual_baseline = 0.075;  ///< [m]
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("input", self.input, core::Choices{"disparity", "depth"},
+          "topics to subscribe to: disparity (and its images) or depth");
+    visit("virtual_baseline", self.virtual_baseline, core::Range{0.01, 1}, "m",
+          "depth camera: baseline of the pair it is treated as (Kinect: 0.075)");
+  }
+};
+
+/// Where tracks rest.
+struct FixedFrameConfig {
+  std::string fixed_frame;
+  double transform_timeout = 0.2;  ///< [s]
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("fixed_frame", self.fixed_frame, core::Choices{},
+          "tf frame in which the furniture rests; empty: the camera's, which then must rest");
+    visit("transform_timeout", self.transform_timeout, core::Range{0, 5}, "s",
+          "how long a frame waits for its transform (wall time)");
+  }
+};
+
+/// Where what was learned outlives a restart.
+struct ModelFileConfig {
+  std::string models_file;
+  bool save_at_exit = false;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("models_file", self.models_file, core::Choices{},
+          "YAML file of learned models: loaded at the start if it is there, and the default of save_models and load_models");
+    visit("save_at_exit", self.save_at_exit, "save the models to models_file when the nodelet ends");
+  }
+};
+
+/// What the joints are published for.
+struct FrameOutputConfig {
+  bool publish_tf = true;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("publish_tf", self.publish_tf,
+          "send the joints' frames; false where a robot_state_publisher does so from the exported URDF");
+  }
+};
+
+/// Of the simulated camera, besides the scene.
+struct SimulatedCameraSettings {
+  std::string frame_id = "stereo_left_optical_frame";
+  std::string world_frame = "world";
+  bool wait_for_subscribers = false;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("frame_id", self.frame_id, core::Choices{}, "frame of the images and of the truth");
+    visit("world_frame", self.world_frame, core::Choices{}, "tf of the camera is published in this frame; empty: no tf");
+    visit("wait_for_subscribers", self.wait_for_subscribers,
+          "nothing moves before both images have subscribers, so that they see the whole motion");
+  }
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes every track of a bag that has `tracks` (a recording, or process_bag's result) as a log in the original release's
+// format, as it was when it was seen last: FOLDER/track_ID.log.
+#include <cabinet_articulation/TrackArray.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "cabinet_articulation/ros/conversions.h"
+#include "pose_log.h"
+
+namespace cabinet_articulation {
+namespace {
+
+std::map<std::uint32_t, Track> lastTracks(const std::string& path) {
+  const rosbag::Bag bag(path, rosbag::bagmode::Read);
+  std::map<std::uint32_t, Track> tracks;
+  for (const rosbag::MessageInstance& entry : rosbag::View(bag)) {
+    const TrackArrayConstPtr message = entry.instantiate<TrackArray>();
+    if (!message) continue;
+    for (const Track& track : message->tracks) tracks[track.id] = track;
+  }
+  return tracks;
+}
+
+int run(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: track_writer IN.bag FOLDER\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[2];
+    std::filesystem::create_directories(folder);
+    for (const auto& [id, track] : lastTracks(argv[1])) {
+      const std::filesystem::path path = folder / ("track_" + std::to_string(id) + ".log");
+      std::ofstream out(path);
+      core::writePoseLog(fromMessage(track), out);
+      if (!out.flush()) throw std::runtime_error(path.string() + " cannot be written");
+      std::printf("%s: %zu poses\n", path.c_str(), track.poses.size());
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "track_writer: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
+
+int main(int argc, char** argv) { return cabinet_articulation::run(argc, argv); }

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models that outlive the nodelet that learned them.
+#include <cabinet_articulation/KnownFrontArray.h>
+#include <cabinet_articulation/LoadModels.h>
+#include <cabinet_articulation/Predict.h>
+#include <cabinet_articulation/SaveModels.h>
+#include <nodelet/NodeletLoad.h>
+#include <nodelet/NodeletUnload.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "cabinet_articulation/ros/pose_conversions.h"
+#include "support/moving_fronts.h"
+
+namespace cabinet_articulation {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Recorder;
+using test::spinUntil;
+
+const std::string kName = "/cabinet/articulation";
+
+class ModelFile : public test::MovingFronts {
+ protected:
+  ModelFile()
+      : MovingFronts("cabinet"), folder_(fs::temp_directory_path() / ("model_file_rostest." + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+    path_ = (folder_ / "kitchen.yaml").string();
+    nh_.setParam(kName + "/models_file", path_);
+    nh_.setParam(kName + "/save_at_exit", true);
+    nh_.setParam(kName + "/diagnostic_period", 0.1);
+    loadNodelet();
+  }
+
+  ~ModelFile() override {
+    unloadNodelet();
+    fs::remove_all(folder_);
+  }
+
+  void SetUp() override {
+    MovingFronts::SetUp();
+    ASSERT_TRUE(spinUntil([&] { return reports_.hears(2); }));
+  }
+
+  void loadNodelet() {
+    nodelet::NodeletLoad load;
+    load.request.name = kName;
+    load.request.type = "cabinet_articulation/articulation";
+    EXPECT_TRUE(ros::service::waitForService("/cabinet/manager/load_nodelet", ros::Duration(test::kGenerous)));
+    EXPECT_TRUE(ros::service::call("/cabinet/manager/load_nodelet", load));
+  }
+
+  void unloadNodelet() {
+    nodelet::NodeletUnload unload;
+    unload.request.name = kName;
+    ros::service::call("/cabinet/manager/unload_nodelet", unload);
+  }
+
+  void restart() {
+    unloadNodelet();
+    loadNodelet();
+    ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
+  }
+
+  Predict::Response predict(std::uint32_t id, double q) {
+    Predict predict;
+    predict.request.id = id;
+    predict.request.q = {q};
+    EXPECT_TRUE(ros::service::call("/cabinet/predict", predict));
+    return predict.response;
+  }
+
+  template <class Service>
+  std::pair<bool, std::string> callWithFile(const std::string& name, const std::string& file) {
+    Service call;
+    call.request.file = file;
+    EXPECT_TRUE(ros::service::call("/cabinet/" + name, call));
+    return {call.response.success, call.response.message};
+  }
+
+  std::string text() const {
+    std::ifstream in(path_);
+    std::stringstream stream;
+    stream << in.rdbuf();
+    return stream.str();
+  }
+
+  static bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+  const fs::path folder_;
+  std::string path_;
+  test::Reports reports_;
+};
+
+TEST_F(ModelFile, IsWrittenAtTheEndAndKnownAtTheStart) {
+  ASSERT_TRUE(play(100));
+  const Predict::Response before = predict(tracks_[0].id, 0.8);
+  ASSERT_TRUE(before.success) << before.message;
+  restart();
+  ASSERT_TRUE(fs::exists(path_));
+  const Predict::Response after = predict(tracks_[0].id, 0.8);
+  ASSERT_TRUE(after.success) << after.message;
+  EXPECT_EQ(after.header.frame_id, "map");
+  EXPECT_LT((fromMessage(after.poses.at(0).pose).translation() - fromMessage(before.poses.at(0).pose).translation()).norm(),
+            1e-6);
+  EXPECT_FALSE(predict(tracks_[2].id, 0).success) << "the wall is no joint";
+
+  // The tracker hears of the fronts, and gives the ones it sees again their ids and history back.
+  const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
+  ASSERT_EQ(known.messages.back()->tracks.size(), 2u);
+  EXPECT_EQ(known.messages.back()->header.frame_id, "map");
+  generation_ = known.messages.back()->generation;
+  core::Track door = fromMessage(known.messages.back()->tracks[0]);
+  EXPECT_EQ(door.id, tracks_[0].id);
+  EXPECT_EQ(door.observations.size(), static_cast<size_t>(test::kFrames));
+  observe(&door, test::doorPose(0.3), 1000);
+  tracks_ = {door};
+  const ArticulationModelArrayConstPtr models = publish(1000);
+  ASSERT_TRUE(models);
+  ASSERT_EQ(models->models.size(), 1u);
+  EXPECT_TRUE(models->models[0].moved);
+  EXPECT_EQ(models->models[0].observations, test::kFrames + 1u) << "continues";
+  EXPECT_NEAR(models->models[0].q, 0.3, 0.01);
+}
+
+TEST_F(ModelFile, ThatIsDamagedIsRefusedAndLeftAlone) {
+  ASSERT_TRUE(play(200));
+  ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
+  const std::string half = text().substr(0, text().size() / 2);
+  std::ofstream(path_) << half;
+  const auto loaded = callWithFile<LoadModels>("load_models", "");
+  EXPECT_FALSE(loaded.first);
+  EXPECT_TRUE(contains(loaded.second, path_)) << loaded.second;
+  EXPECT_TRUE(predict(tracks_[0].id, 0).success) << "what was known stays known";
+  restart();
+  EXPECT_TRUE(spinUntil([&] { return reports_.logged(rosgraph_msgs::Log::ERROR, "is left as it is, and nothing is saved"); }));
+  EXPECT_EQ(text(), half);
+  for (core::Track& track : tracks_) track.observations.clear();
+  ASSERT_TRUE(play(300)) << "works without";
+  EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("articulation", "kitchen.yaml"); })) << reports_.status("articulation");
+}
+
+TEST_F(ModelFile, CanBeChosenAndMustFitTheFrame) {
+  EXPECT_TRUE(contains(callWithFile<LoadModels>("load_models", "/nowhere.yaml").second, "'/nowhere.yaml': cannot be opened"));
+  ASSERT_TRUE(play(400));
+  const std::string other = (folder_ / "other.yaml").string();
+  const auto saved = callWithFile<SaveModels>("save_models", other);
+  EXPECT_TRUE(saved.first && contains(saved.second, "2 fronts saved")) << saved.second;
+  EXPECT_TRUE(contains(callWithFile<SaveModels>("save_models", "/nowhere/x.yaml").second, "cannot be written"));
+  std::ifstream in(other);
+  std::string content((std::istreambuf_iterator<char>(in)), {});
+  content.replace(content.find("frame: map"), 10, "frame: odo");
+  std::ofstream(other) << content;
+  const auto loaded = callWithFile<LoadModels>("load_models", other);
+  EXPECT_FALSE(loaded.first);
+  EXPECT_TRUE(contains(loaded.second, "its poses are in the frame 'odo', tracks in 'map'")) << loaded.second;
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "model_file_rostest");
+  ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
