@@ -80,8 +80,8 @@ def draw_depth_error(folder):
 def draw_detection(folder):
     panels = (('rate', 'detection rate', (0, 1.03), 0.75, 'paper: above this, up to 2.3 m'),
               ('searched_mean', 'planes searched until found', (0, None), None, ''),
-              ('center_mm_mean', 'position error, mean [mm]', (0, 17), 15, 'paper: below this'),
-              ('orientation_deg_mean', 'orientation error, mean [deg]', (0, None), 3, 'paper: below this'))
+              ('center_mm_mean', 'position error of those found, mean [mm]', (0, 17), 15, 'paper: below this'),
+              ('orientation_deg_mean', 'orientation error of those found, mean [deg]', (0, None), 3, 'paper: below this'))
     for (source,), rows in group(read(folder / 'fig11.csv'), 'source').items():
         if len({row['distance_from_m'] for row in rows}) < 4:
             continue  # no figure against distance where everything is at the same
@@ -108,8 +108,9 @@ def draw_curve(axes, source, rows):
     names = [key[2:] for key in rows[0] if key.startswith('p_')]
     for name in names:
         axes[0].plot(x, column(rows, 'p_' + name), marker='o', color=TYPE_COLORS.get(name, 'C4'), label=name)
-    axes[0].axvline(30, **PAPER)
-    axes[0].set(title=title_of(source), ylim=(-0.03, 1.03))
+    if x[-1] > 30:
+        axes[0].axvline(30, label='paper: right from here on', **PAPER)
+    axes[0].set(title=title_of(source), ylim=(-0.03, 1.03), xlim=(0, 1.04 * x[-1]))
     mean, deviation = column(rows, 'error_mm_mean'), column(rows, 'error_mm_deviation')
     axes[1].errorbar(x, mean, yerr=deviation, marker='o', color='C0', elinewidth=0.8, label='ours, 1 sigma over the runs')
     axes[2].plot(x, column(rows, 'error_deg_mean'), marker='o', color='C0')

@@ -31,8 +31,9 @@ def percent(share):
     return '%.0f %%' % (100 * share)
 
 
-def average(values):
-    return statistics.mean(values) if values else float('nan')
+def mean_of(rows, key, digits):
+    values = [float(row[key]) for row in rows if row[key]]
+    return '%.*f' % (digits, statistics.mean(values)) if values else '-'
 
 
 def table(title, header, rows):
@@ -55,12 +56,11 @@ def hanging_front(folder):
         distances = [float(point['distance_m']) for point in points]
         if max(distances) - min(distances) < 1.5:
             continue
-        for near, far in ((0.6, 2.3), (2.3, 3.0)):
+        for near, far, name in ((0, 2.3, 'to 2.3'), (2.3, 9, 'beyond')):
             inside = [point for point, distance in zip(points, distances) if near <= distance < far]
             found = [point for point in inside if point['detected'] == '1']
-            mean = [average([float(point[key]) for point in found]) for key in ('searched', 'center_mm', 'orientation_deg')]
-            rows.append([source, variant, '%.1f-%.1f' % (near, far), str(len(inside)), percent(len(found) / len(inside))] +
-                        ['%.1f' % value for value in mean])
+            errors = [mean_of(found, key, 1) for key in ('searched', 'center_mm', 'orientation_deg')]
+            rows.append([source, variant, name, str(len(inside)), percent(len(found) / len(inside))] + errors)
     return table('A hanging front (Fig. 11; paper: above 75 % up to 2.3 m, below 15 mm and 3°)',
                  ['source', 'variant', 'distance m', 'poses', 'found', 'planes searched', 'position mm', 'orientation °'], rows)
 
@@ -109,7 +109,7 @@ def unseen(folder):
         cells = [name, kind]
         for share in ('0.3', '0.5'):
             for key in ('true_type_error_mm', 'error_mm'):
-                cells.append('%.0f' % average([float(row[key]) for row in members if row['trained_share'] == share and row[key]]))
+                cells.append(mean_of([row for row in members if row['trained_share'] == share], key, 0))
         rows.append(cells)
     return table('Openings never seen: mean error over the farthest tenth [mm]',
                  ['source', 'type', '30 % seen, type given', 'as selected', '50 % seen, type given', 'as selected'], rows)
