@@ -8,17 +8,22 @@
 namespace cabinet_articulation::core {
 namespace {
 
+KnownPlace placeOf(const TrackedObservation& observation) {
+  return {observation.rectangle, observation.covariance.topLeftCorner<3, 3>()};
+}
+
 /// In that description of the detection that needs the least motion. Nearest axes alone do not tell: a door swung by more
 /// than 90 degrees has the axes of its own back.
-std::optional<Continuation> continueFrom(const Rectangle& reference, double seconds, const DetectedRectangle& detection,
+std::optional<Continuation> continueFrom(const KnownPlace& reference, double seconds, const DetectedRectangle& detection,
                                          const FrontSize& size, const TrackingConfig& config) {
   std::optional<Continuation> best;
-  if ((reference.center() - detection.rectangle.center()).norm() > reach(reference, seconds, config)) return best;
+  if ((reference.rectangle.center() - detection.rectangle.center()).norm() > reach(reference.rectangle, seconds, config))
+    return best;
   for (int k = 0; k < kDescriptions; ++k) {
     const DetectedRectangle described = describe(detection, k);
     if (!size.fits(described)) continue;
     const Rectangle placed = placeRectangle(described, size.known(), &reference, config);
-    const std::optional<double> distance = motionDistance(reference, placed, seconds, config);
+    const std::optional<double> distance = motionDistance(reference.rectangle, placed, seconds, config);
     if (distance && (!best || *distance < best->distance)) best = Continuation{*distance, described, reference};
   }
   return best;
@@ -29,15 +34,15 @@ std::optional<Continuation> continueFrom(const Rectangle& reference, double seco
 std::optional<Continuation> findContinuation(const Track& track, const FrontSize& size, const DetectedRectangle& detection,
                                              double stamp, const TrackingConfig& config) {
   std::optional<Continuation> best;
-  const auto consider = [&](const Rectangle& reference, double seconds) {
+  const auto consider = [&](const KnownPlace& reference, double seconds) {
     const auto candidate = continueFrom(reference, seconds, detection, size, config);
     if (candidate && (!best || candidate->distance < best->distance)) best = candidate;
   };
   const double gap = stamp - track.observations.back().stamp;
-  consider(track.observations.back().rectangle, gap);
-  consider(extrapolate(track.observations, stamp, config.prediction_horizon), 0);
-  if (gap > config.prediction_horizon)
-    consider(nearestObservation(track.observations, detection.rectangle.center()).rectangle, 0);
+  const KnownPlace newest = placeOf(track.observations.back());
+  consider(newest, gap);
+  consider({extrapolate(track.observations, stamp, config.prediction_horizon), newest.covariance}, 0);
+  if (gap > config.prediction_horizon) consider(placeOf(nearestObservation(track.observations, detection.rectangle.center())), 0);
   return best;
 }
 

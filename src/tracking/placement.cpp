@@ -31,15 +31,15 @@ Extent placeAlong(double excess, double known, double known_sigma, Eigen::Vector
 }
 
 /// The same, and the centre expected at `shift`.
-Extent heldBack(Extent extent, double shift, double sigma) {
-  const double gain = extent.variance / (extent.variance + sigma * sigma);
+Extent heldBack(Extent extent, double shift, double variance) {
+  const double gain = extent.variance / (extent.variance + variance);
   extent.shift += gain * (shift - extent.shift);
   extent.variance *= 1 - gain;
   return extent;
 }
 
 /// Along x and along y of the detection.
-std::array<Extent, 2> placeAlongAxes(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
+std::array<Extent, 2> placeAlongAxes(const DetectedRectangle& detection, const KnownSize& size, const KnownPlace* expected,
                                      const TrackingConfig& config) {
   const Rectangle& rectangle = detection.rectangle;
   const double measured[] = {rectangle.width, rectangle.height};
@@ -50,8 +50,10 @@ std::array<Extent, 2> placeAlongAxes(const DetectedRectangle& detection, const K
     const double known = size.value[axis];
     extents[axis] = placeAlong(measured[axis] - known, known, size.sigma[axis], sigmas.cwiseAbs2());
     if (!expected) continue;
-    const double motion = rectangle.pose.linear().col(axis).dot(expected->center() - rectangle.center());
-    extents[axis] = heldBack(extents[axis], motion, config.position_tolerance);
+    const Eigen::Vector3d direction = rectangle.pose.linear().col(axis);
+    const double motion = direction.dot(expected->rectangle.center() - rectangle.center());
+    const double variance = std::pow(config.position_tolerance, 2) + direction.dot(expected->covariance * direction);
+    extents[axis] = heldBack(extents[axis], motion, variance);
   }
   return extents;
 }
@@ -80,12 +82,12 @@ double edgeSigma(double support, const TrackingConfig& config) {
   return config.edge_sigma * std::pow(config.unseen_edge_sigma / config.edge_sigma, unseen);
 }
 
-Rectangle placeRectangle(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
+Rectangle placeRectangle(const DetectedRectangle& detection, const KnownSize& size, const KnownPlace* expected,
                          const TrackingConfig& config) {
   return shifted(detection.rectangle, placeAlongAxes(detection, size, expected, config));
 }
 
-DetectedRectangle placeOnObservedEdges(const DetectedRectangle& detection, const KnownSize& size, const Rectangle* expected,
+DetectedRectangle placeOnObservedEdges(const DetectedRectangle& detection, const KnownSize& size, const KnownPlace* expected,
                                        const TrackingConfig& config) {
   const std::array<Extent, 2> extents = placeAlongAxes(detection, size, expected, config);
   Matrix6d axes = Matrix6d::Zero();

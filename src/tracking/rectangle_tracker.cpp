@@ -14,7 +14,9 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kProposedSigma = 0.01;      ///< [m] of a size good enough to be searched for
-constexpr int kJudgedFrames = 15;            ///< a presence over fewer frames says little
+constexpr int kJudgedFrames = 8;             ///< a presence over fewer frames says little
+constexpr int kEstablished = 20;             ///< frames; what was seen that often is no flicker
+constexpr int kLongestFlicker = 3;           ///< frames; a longer absence is one absence, not so many misses
 constexpr double kResizeStep = 0.002;        ///< [m] smaller changes of the size are not worth placing the history anew
 constexpr double kRotationTolerance = 1e-3;  ///< entries of R R^T - I of a pose that is meant to be a rotation
 
@@ -33,18 +35,19 @@ bool isDuplicate(const Rectangle& a, const Rectangle& b) {
          intersectionOverUnion(a, b) > kOverlap;
 }
 
-/// All observations with the track's new size, from the newest back: the size was known worst at the beginning.
-void placeAnew(Track& track, const KnownSize& size, const TrackingConfig& config) {
-  const Rectangle* later = nullptr;
+/// All observations with the track's new size, from the newest back: the size was known worst at the beginning. The newest
+/// continues from `reference`.
+void placeAnew(Track& track, const KnownSize& size, const KnownPlace& reference, const TrackingConfig& config) {
+  KnownPlace later = reference;
   for (auto observation = track.observations.rbegin(); observation != track.observations.rend(); ++observation) {
     DetectedRectangle detection;
     detection.rectangle = observation->measured;
     detection.covariance = observation->measured_covariance;
     detection.edge_support = observation->edge_support;
-    const DetectedRectangle placed = placeOnObservedEdges(detection, size, later ? later : &observation->rectangle, config);
+    const DetectedRectangle placed = placeOnObservedEdges(detection, size, &later, config);
     observation->rectangle = placed.rectangle;
     observation->covariance = placed.covariance;
-    later = &observation->rectangle;
+    later = {placed.rectangle, placed.covariance.topLeftCorner<3, 3>()};
   }
 }
 
@@ -113,7 +116,8 @@ std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
 }
 
 bool RectangleTracker::flickers(const TrackMemory& memory) const {
-  return memory.frames >= kJudgedFrames && memory.seen < config_.min_presence * memory.frames;
+  const bool young = memory.frames >= kJudgedFrames && memory.seen < kEstablished;
+  return young && memory.seen < config_.min_presence * memory.frames;
 }
 
 void RectangleTracker::endTracks(double stamp) {
@@ -136,8 +140,7 @@ void RectangleTracker::endTracks(double stamp) {
 void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const {
   const Continuation found = *findContinuation(track, memory.size, rectangle, stamp, config_);
   const DetectedRectangle& measured = found.measured;
-  const bool absent = stamp - track.observations.back().stamp > config_.tentative_timeout;
-  memory.frames += absent ? 1 : memory.unseen;
+  memory.frames += std::min(memory.unseen, kLongestFlicker);
   memory.unseen = 0;
   ++memory.seen;
   memory.size.add(measured);
@@ -150,7 +153,7 @@ void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, 
   const DetectedRectangle placed = placeOnObservedEdges(measured, known, &found.reference, config_);
   track.observations.push_back(
       {stamp, placed.rectangle, placed.covariance, measured.edge_support, measured.rectangle, measured.covariance});
-  if (resized) placeAnew(track, known, config_);
+  if (resized) placeAnew(track, known, found.reference, config_);
   const bool thinned = thinOut(track.observations, config_.max_observations);
   if (resized || thinned) ++track.revision;
 }

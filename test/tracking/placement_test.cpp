@@ -73,10 +73,11 @@ TEST(Placement, TwoAgreeingEdgesStayWhereTheyWereSeen) {
 
 TEST(Placement, ContradictingEdgesDoNotLookLikeMotion) {
   const Rectangle front = closedFront();
+  const KnownPlace place{front, Eigen::Matrix3d::Zero()};
   DetectedRectangle merged = seen(front);  // 12 cm too wide at +x, and sure of it
   merged.rectangle.pose.translate(Eigen::Vector3d(0.06, 0, 0));
   merged.rectangle.width += 0.12;
-  const DetectedRectangle placed = placeOnObservedEdges(merged, sizeOf(front), &front, kConfig);
+  const DetectedRectangle placed = placeOnObservedEdges(merged, sizeOf(front), &place, kConfig);
   const double error = (placed.rectangle.center() - front.center()).norm();
   EXPECT_LT(error, 0.06 / 4);
   const Eigen::Vector3d x = front.pose.linear().col(0);
@@ -85,23 +86,36 @@ TEST(Placement, ContradictingEdgesDoNotLookLikeMotion) {
 
 TEST(Placement, UnseenEdgesStayWhereTheyWere) {
   const Rectangle front = closedFront();
+  const KnownPlace place{front, Eigen::Matrix3d::Zero()};
   DetectedRectangle slid = seen(pulled(front, 0.1));
   slid.rectangle.pose.translate(Eigen::Vector3d(0.03, 0, 0));
   slid.edge_support = {0, 0, 1, 1};
-  const DetectedRectangle placed = placeOnObservedEdges(slid, sizeOf(front), &front, kConfig);
+  const DetectedRectangle placed = placeOnObservedEdges(slid, sizeOf(front), &place, kConfig);
   const Eigen::Vector3d error = placed.rectangle.center() - pulled(front, 0.1).center();
   EXPECT_LT(error.norm(), 0.003) << "a tenth of the slide; the motion along the normal was seen";
   EXPECT_GT(placed.covariance(0, 0), 0.02 * 0.02);
   EXPECT_LT(placed.covariance(1, 1), 0.002 * 0.002);
 }
 
+TEST(Placement, AnUncertainPlaceHoldsNothingBack) {
+  const Rectangle front = closedFront();
+  DetectedRectangle half = withHiddenEdge(seen(front), kEdgeMinusX, 0.1);
+  Rectangle wrong = front;
+  wrong.pose.translate(Eigen::Vector3d(-0.1, 0, 0));
+  const KnownPlace place{wrong, Eigen::Matrix3d::Identity() * 0.15 * 0.15};
+  const KnownSize size{sizeOf(front).value, {0.05, 0.05}};
+  const Rectangle placed = placeOnObservedEdges(half, size, &place, kConfig).rectangle;
+  EXPECT_LT((placed.center() - front.center()).norm(), 0.005) << "2.5 cm of the size against 15 cm";
+}
+
 TEST(Placement, ASeenEdgeIsNotHeldBack) {
   const Rectangle front = closedFront();
+  const KnownPlace place{front, Eigen::Matrix3d::Zero()};
   DetectedRectangle moved = seen(front);
   moved.rectangle.pose.translate(Eigen::Vector3d(0.03, 0, 0));
   moved.edge_support = {0, 1, 1, 1};
   const KnownSize size{sizeOf(front).value, {0.002, 0.002}};
-  const Rectangle placed = placeOnObservedEdges(moved, size, &front, kConfig).rectangle;
+  const Rectangle placed = placeOnObservedEdges(moved, size, &place, kConfig).rectangle;
   EXPECT_LT((placed.center() - moved.rectangle.center()).norm(), 0.001) << "2 mm against 30 mm: a hundredth";
 }
 

@@ -13,7 +13,7 @@ namespace cabinet_articulation::core {
 struct Continuation {
   double distance = 0;         ///< [m] see motionDistance
   DetectedRectangle measured;  ///< the detection in the track's corner choice
-  Rectangle reference;         ///< the place it continues from
+  KnownPlace reference;        ///< the place it continues from
 };
 
 /// The nearest way in which `detection` at `stamp` [s] continues the track, or nothing. A track continues from where it

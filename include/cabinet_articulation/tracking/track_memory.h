@@ -12,7 +12,7 @@ namespace cabinet_articulation::core {
 struct TrackMemory {
   FrontSize size;
   int seen = 1;    ///< frames
-  int frames = 1;  ///< since the first one, without absences
+  int frames = 1;  ///< since the first one; of a long absence only the first few
   int unseen = 0;  ///< frames since the last one
 };
 

@@ -9,7 +9,7 @@ struct TrackingConfig {
   double timeout = 20;
   double tentative_timeout = 1;
   int confirmed_after = 3;
-  double min_presence = 0.4;
+  double min_presence = 0.6;
   double position_tolerance = 0.03;
   double angle_tolerance = 0.39;
   double twist_tolerance = 0.25;
@@ -30,8 +30,8 @@ struct TrackingConfig {
           "the same for a track that is not confirmed yet (ours: clutter flickers)");
     visit("confirmed_after", self.confirmed_after, Range{1, 1000}, "", "observations that confirm a track");
     visit("min_presence", self.min_presence, Range{0, 1}, "",
-          "a track that is seen in fewer of its frames ends, absences of more than tentative_timeout aside (ours: pieces of "
-          "corners flicker, fronts are seen in nearly every frame)");
+          "a young track that is seen in fewer of its frames ends; longer absences count as three frames (ours: arms and "
+          "pieces of corners flicker, fronts are seen in nearly every frame)");
     visit("position_tolerance", self.position_tolerance, Range{0.001, 10}, "m",
           "jump along the front's plane that still is the same front (original release: 0.20 in every direction)");
     visit("angle_tolerance", self.angle_tolerance, Range{0.01, 3.2}, "rad",
