@@ -142,7 +142,7 @@ double costOf(const PoseSamples& samples, const Arc& arc, const ArticulationConf
 template <bool kWithOrientation>
 SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
                          std::optional<double> rival, const ArticulationConfig& config) {
-  SequenceNoise noise(config, fit.position_scale, fit.orientation_scale);
+  SequenceNoise noise(samples, config, fit.position_scale, fit.orientation_scale);
   if (rival) rival = -*rival;
   const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, rival);
   return {result.arc, -result.cost};

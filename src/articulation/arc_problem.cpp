@@ -172,7 +172,7 @@ void ArcProblem<kWithOrientation>::evaluate(const Arc& arc, double* residuals, d
     if constexpr (kColumns > 1)
       if (curvature_ == Curvature::kFixed) current.col(6).setZero();
     block = current;
-    if (noise_.sequence && i == 0) {
+    if (noise_.sequence && samples_.run_starts[i]) {
       block.template topRows<kPositionRows>() /= noise_.first_position;
       block.template bottomRows<kRotationRows>() /= noise_.first_orientation;
     } else {

@@ -75,13 +75,33 @@ double FrontPoses::sizeDeviation() const {
 }
 
 PoseTrack FrontPoses::track(ReferencePoint point, std::size_t count) const {
+  const std::size_t n = std::min(count, entries_.size());
+  std::vector<std::size_t> indices(n);
+  for (std::size_t i = 0; i < n; ++i) indices[i] = n == entries_.size() || n < 2 ? i : i * (entries_.size() - 1) / (n - 1);
+  return picked(point, indices);
+}
+
+PoseTrack FrontPoses::runs(ReferencePoint point, std::size_t count) const {
+  constexpr std::size_t kRun = 20;
+  const std::size_t runs = count / kRun;
+  if (entries_.size() <= count || runs < 2) return track(point, count);
+  std::vector<std::size_t> indices;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t start = run * (entries_.size() - kRun) / (runs - 1);
+    for (std::size_t i = 0; i < kRun; ++i) indices.push_back(start + i);
+  }
+  PoseTrack track = picked(point, indices);
+  for (std::size_t i = 0; i < indices.size(); ++i) track.run_starts.push_back(i % kRun == 0);
+  return track;
+}
+
+PoseTrack FrontPoses::picked(ReferencePoint point, const std::vector<std::size_t>& indices) const {
   PoseTrack track;
   track.has_orientation = config_.use_orientation;
-  const std::size_t n = std::min(count, entries_.size());
-  track.stamps.reserve(n);
-  track.poses.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Entry& entry = entries_[n == entries_.size() || n < 2 ? i : i * (entries_.size() - 1) / (n - 1)];
+  track.stamps.reserve(indices.size());
+  track.poses.reserve(indices.size());
+  for (const std::size_t i : indices) {
+    const Entry& entry = entries_[i];
     track.stamps.push_back(entry.stamp);
     track.poses.push_back(entry.center);
     track.poses.back().translate(point.offset(entry.width, entry.height));

@@ -28,6 +28,30 @@ double sequenceCorrelation(const std::vector<Eigen::Vector3d>& residuals, double
   return square > 0 ? std::clamp(product / square, 0.0, 0.99) : 0;
 }
 
+/// Correlation of the autoregressive sequence whose mean is as uncertain as that of the residuals: noise of which a part is
+/// slow forgets later than its correlation from one to the next says. Sums correlations while pairs of them are positive.
+double longMemory(const std::vector<Eigen::Vector3d>& residuals, double limit) {
+  std::vector<Eigen::Vector3d> cut;
+  double square = 0;
+  for (const Eigen::Vector3d& residual : residuals) {
+    cut.push_back(residual * std::min(1.0, limit / std::max(1e-12, residual.norm())));
+    square += cut.back().squaredNorm();
+  }
+  if (square <= 0) return 0;
+  const auto correlation = [&](std::size_t lag) {
+    double product = 0;
+    for (std::size_t i = lag; i < cut.size(); ++i) product += cut[i].dot(cut[i - lag]);
+    return product / square;
+  };
+  double sum = 1;
+  for (std::size_t lag = 1; lag + 1 < std::min<std::size_t>(cut.size() / 3, 40); lag += 2) {
+    const double pair = correlation(lag) + correlation(lag + 1);
+    if (pair <= 0) break;
+    sum += 2 * pair;
+  }
+  return std::clamp((sum - 1) / (sum + 1), 0.0, 0.97);
+}
+
 /// Largest distance [m] of the observed path from its chord.
 double bow(const Candidate& candidate) {
   constexpr int kSteps = 8;
@@ -69,6 +93,7 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   candidate.log_likelihood = model->logLikelihood(track, candidate.residuals);
   const double limit = 3 * config.sigma_position;
   candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
+  candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));
   for (const Eigen::Vector3d& residual : candidate.residuals.position)
     candidate.outlier_share += residual.norm() > limit ? 1.0 / static_cast<double>(track.size()) : 0;
   return candidate;
@@ -89,9 +114,11 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
     } else {
       const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= config.turn_min);
       if (moving && !bends) candidate.evidence = std::min(candidate.evidence, moving->evidence);
-      // A sequence forgives noise that is worse with the more complex model.
-      if (moving)
-        candidate.evidence += std::min(0.0, independentShare(candidate) * (candidate.log_likelihood - moving->log_likelihood));
+      // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
+      if (moving) {
+        const double difference = independentShare(candidate) * (candidate.log_likelihood - moving->log_likelihood);
+        candidate.evidence += track.has_orientation ? difference : std::min(0.0, difference);
+      }
       if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
     }
   }

@@ -9,6 +9,10 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kTriples = 200;
+/// Arms and hands are seen a few times only: fewer poses than this must show more of their edges.
+constexpr std::size_t kFew = 6;
+constexpr double kClearer = 0.08;
+
 /// Who was only seen here and there did not show how it came from one to the other.
 constexpr double kLargestGap = 0.7;
 constexpr double kQuick = 0.5;  ///< [s] within which a hand hardly turns round
@@ -82,7 +86,7 @@ double spreadOf(const ModelResiduals& residuals, const PoseTrack& poses, const E
 MotionTest::MotionTest(const Track& track, const PoseTrack& poses, const ArticulationConfig& config)
     : config_(config),
       refused_(poses.size() < static_cast<std::size_t>(config.observations_min) ||
-               medianEdgeSupport(track) < config.edge_support_min) {
+               medianEdgeSupport(track) < config.edge_support_min + (poses.size() < kFew ? kClearer : 0)) {
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
 }
 

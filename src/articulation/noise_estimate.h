@@ -74,7 +74,8 @@ class IndependentNoise {
 class SequenceNoise {
  public:
   /// The scales place poses along the path.
-  SequenceNoise(const ArticulationConfig& config, double position_scale, double orientation_scale) {
+  SequenceNoise(const PoseSamples& samples, const ArticulationConfig& config, double position_scale, double orientation_scale)
+      : run_starts_(samples.run_starts) {
     noise_.sequence = true;
     noise_.degrees_of_freedom = config.sequence_degrees_of_freedom;
     noise_.position = 0.001;
@@ -103,13 +104,14 @@ class SequenceNoise {
   template <class Rows>
   double estimateRows(const Rows& residuals, int dimensions, double first_sigma, double* scale, double* correlation) const {
     const double nu = noise_.degrees_of_freedom;
-    const double n = static_cast<double>(residuals.cols());
+    const double n = static_cast<double>(residuals.cols() - std::count(run_starts_.begin(), run_starts_.end(), 1)) + 1;
     const auto innovationSquare = [&](Eigen::Index i) {
       return (residuals.col(i) - *correlation * residuals.col(i - 1)).squaredNorm();
     };
     for (int iteration = 0; iteration < 5; ++iteration) {
       double product = 0, square = 0, innovations = kFloor * kFloor;
       for (Eigen::Index i = 1; i < residuals.cols(); ++i) {
+        if (startsRun(i)) continue;
         const double innovation = innovationSquare(i);
         const double weight = (nu + dimensions) / (nu + innovation / (*scale * *scale));
         product += weight * residuals.col(i).dot(residuals.col(i - 1));
@@ -119,12 +121,20 @@ class SequenceNoise {
       *correlation = std::clamp(product / (square + 4 * dimensions * *scale * *scale), 0.0, kLargestCorrelation);
       *scale = std::max(kFloor, std::sqrt(innovations / (dimensions * n)));
     }
-    double cost = 0.5 * residuals.col(0).squaredNorm() / (first_sigma * first_sigma) + dimensions * std::log(first_sigma);
-    for (Eigen::Index i = 1; i < residuals.cols(); ++i)
-      cost += 0.5 * (nu + dimensions) * std::log1p(innovationSquare(i) / (nu * *scale * *scale));
-    return cost + dimensions * (n - 1) * std::log(*scale);
+    double cost = 0;
+    for (Eigen::Index i = 0; i < residuals.cols(); ++i) {
+      if (startsRun(i))
+        cost += 0.5 * residuals.col(i).squaredNorm() / (first_sigma * first_sigma) + dimensions * std::log(first_sigma);
+      else
+        cost +=
+            0.5 * (nu + dimensions) * std::log1p(innovationSquare(i) / (nu * *scale * *scale)) + dimensions * std::log(*scale);
+    }
+    return cost;
   }
 
+  bool startsRun(Eigen::Index i) const { return run_starts_[static_cast<std::size_t>(i)] != 0; }
+
+  const std::vector<char>& run_starts_;
   ResidualNoise noise_;
 };
 

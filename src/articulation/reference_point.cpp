@@ -12,7 +12,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr std::size_t kComparedPoses = 100;
+constexpr std::size_t kComparedPoses = 50;
 constexpr double kSteadySize = 0.01;  ///< [m]
 constexpr std::size_t kEarly = 16;    ///< poses up to which it matters that a point far from the hinge moves more
 

@@ -151,6 +151,8 @@ ArticulationModel toMessage(const core::LearnedModel& model, const std::string& 
   message.q = model.q;
   message.q_min = model.q_min;
   message.q_max = model.q_max;
+  message.q_min_is_end = model.q_min_is_end;
+  message.q_max_is_end = model.q_max_is_end;
   for (const Eigen::Isometry3d& pose : model.curve) message.curve.push_back(toMessage(pose));
   message.width = model.width;
   message.height = model.height;
@@ -186,6 +188,8 @@ core::LearnedModel fromMessage(const ArticulationModel& message) {
   model.q = message.q;
   model.q_min = message.q_min;
   model.q_max = message.q_max;
+  model.q_min_is_end = message.q_min_is_end;
+  model.q_max_is_end = message.q_max_is_end;
   for (const geometry_msgs::Pose& pose : message.curve) model.curve.push_back(fromMessage(pose));
   model.width = message.width;
   model.height = message.height;

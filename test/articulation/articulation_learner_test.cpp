@@ -246,6 +246,62 @@ TEST(ArticulationLearner, AJumpOfAMetreIsNotMotionAlongAJoint) {
   EXPECT_FALSE(learn(track).moved);
 }
 
+TEST(ArticulationLearner, AJumpOfAMetreDoesNotSpoilADoor) {
+  Track track = syntheticTrack(door());
+  const LearnedModel clean = learn(track);
+  track.observations[50].rectangle.pose.pretranslate(Eigen::Vector3d(1, 0, 0));
+  const LearnedModel model = learn(track);
+  EXPECT_EQ(model.type, JointType::kRotational);
+  EXPECT_NEAR(model.radius, clean.radius, 0.004);
+  EXPECT_NEAR(model.q_max, clean.q_max, 0.05);
+}
+
+TEST(ArticulationLearner, RotationsThatAreNoneAreIgnored) {
+  Track track = syntheticTrack(door());
+  const LearnedModel clean = learn(track);
+  for (std::size_t i = 0; i < track.observations.size(); i += 10) track.observations[i].rectangle.pose.linear() *= 1.5;
+  const LearnedModel model = learn(track);
+  EXPECT_EQ(model.observations, 90);
+  EXPECT_EQ(model.type, JointType::kRotational);
+  EXPECT_NEAR(model.radius, clean.radius, 0.006);
+}
+
+TEST(ArticulationLearner, DoorsThatTurnALittleAreTold) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SyntheticFront front = door();
+    front.q_end = 0.6;
+    front.drift = 0.003;
+    front.seed = seed;
+    EXPECT_GT(probability(learn(syntheticTrack(front)), JointType::kRotational), 0.95) << seed;
+  }
+}
+
+TEST(ArticulationLearner, IntervalsHoldTheTruth) {
+  constexpr int kFronts = 100;
+  int axes = 0, radii = 0;
+  for (int seed = 1; seed <= kFronts; ++seed) {
+    SyntheticFront front = door();
+    front.drift = 0.003;
+    front.drift_memory = 0.9;
+    front.noise = 0.002;
+    front.seed = static_cast<unsigned>(seed);
+    const LearnedModel model = learn(syntheticTrack(front));
+    Eigen::Matrix<double, 3, 2> across;
+    across.col(0) = model.axis.unitOrthogonal();
+    across.col(1) = model.axis.cross(across.col(0));
+    const Eigen::Vector2d tilt = across.transpose() * model.axis.cross(trueAxis(front));
+    const Eigen::Matrix2d variance = across.transpose() * model.covariance.bottomRightCorner<3, 3>() * across;
+    axes += tilt.dot(variance.inverse() * tilt) <= 5.99;
+    const Eigen::Vector3d outward = (model.origin.translation() - model.axis_point).normalized();
+    const double sigma = std::sqrt(outward.dot(model.covariance.topLeftCorner<3, 3>() * outward));
+    radii += std::abs(model.radius - front.width / 2) <= 1.96 * sigma;
+  }
+  // 90 to 98 % are meant; a hundred fronts tell a share to 3 %.
+  EXPECT_GE(axes, 87);
+  EXPECT_GE(radii, 87);
+  EXPECT_LE(axes + radii, 199) << "intervals so wide say nothing";
+}
+
 TEST(ArticulationLearner, AHundredThousandPosesAreBounded) {
   SyntheticFront front = door();
   front.poses = 100000;

@@ -74,6 +74,7 @@ core::LearnedModel exampleModel() {
   model.q = 0.5;
   model.q_min = -0.1;
   model.q_max = 1.5;
+  model.q_max_is_end = true;
   model.curve = {examplePose(), examplePose(1)};
   model.width = 0.4;
   model.height = 0.6;
@@ -201,6 +202,8 @@ TEST(ModelConversion, KeepsEveryField) {
   EXPECT_EQ(back.type, model.type);
   EXPECT_EQ(back.probabilities, model.probabilities);
   EXPECT_EQ(back.moved, model.moved);
+  EXPECT_FALSE(back.q_min_is_end);
+  EXPECT_TRUE(back.q_max_is_end);
   ASSERT_EQ(back.curve.size(), 2u);
   EXPECT_TRUE(back.curve[1].isApprox(model.curve[1], 1e-12));
   EXPECT_EQ(back.explained, model.explained);

@@ -31,7 +31,7 @@ struct ArticulationConfig {
   double edge_support_min = 0.5;
   int observations_min = 3;
   double outlier_share_max = 0.3;
-  double covariance_factor = 1.75;
+  double covariance_factor = 2.6;
 
   bool use_orientation = true;
   int poses_max = 200;
@@ -79,7 +79,7 @@ struct ArticulationConfig {
     visit("outlier_share_max", self.outlier_share_max, Range{0.01, 1}, "",
           "no model explains a track with more poses than this farther than 3 sigma_position from it (measured)");
     visit("covariance_factor", self.covariance_factor, Range{0.1, 100}, "",
-          "on covariances, beyond the correction for correlated noise (measured: 1.5 to 2 for 95 % intervals)");
+          "on covariances, beyond the correction for correlated noise (measured, so that 95 % intervals hold 90 to 98 %)");
     visit("use_orientation", self.use_orientation, "false: positions only");
     visit("poses_max", self.poses_max, Range{10, 100000}, "", "poses a fit uses at most, evenly spaced (measured: 200 is safe)");
     visit("sequence_poses_max", self.sequence_poses_max, Range{10, 100000}, "",

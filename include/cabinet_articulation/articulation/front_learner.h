@@ -6,6 +6,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/articulation/model_selection.h"
+#include "cabinet_articulation/articulation/motion_test.h"
 #include "cabinet_articulation/articulation/reference_point.h"
 
 namespace cabinet_articulation::core {
@@ -29,7 +30,9 @@ class FrontLearner {
   void chooseReference(const Track& track);
   void createModels();
   void fitModels(const PoseTrack& track, bool parametric);
+  void compareMotions(const MotionTest& test);
   void compareSequences(const PoseTrack& track);
+  bool isClear() const;
 
   ArticulationConfig config_;
   FrontPoses observations_;
@@ -37,7 +40,10 @@ class FrontLearner {
   ReferencePoint reference_;
   std::size_t reference_chosen_at_ = 0;  ///< observations when the reference point was chosen last
   Track front_;                          ///< id and size of the track
-  PoseTrack poses_;                      ///< of the reference point
+  PoseTrack poses_;                      ///< of the reference point, in runs
+  PoseTrack spaced_;                     ///< of the reference point, evenly spaced
+  std::vector<double> evidences_;        ///< of the candidates, when they were compared last
+  std::size_t compared_at_ = 0;          ///< observations at that time
   std::vector<Candidate> candidates_;
   Selection selection_;
   LearnedModel learned_;

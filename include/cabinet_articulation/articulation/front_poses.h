@@ -37,6 +37,9 @@ class FrontPoses {
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseTrack track(ReferencePoint point, std::size_t count) const;
 
+  /// The same in runs of poses that follow one another at once, evenly spread, the newest pose among them.
+  PoseTrack runs(ReferencePoint point, std::size_t count) const;
+
   /// The point itself and, where there are orientations, the front's corners as seen from it: of a rectangle of this size,
   /// or of a marker whose turns count as much as a sigma of its place.
   std::vector<Eigen::Vector3d> outline(ReferencePoint point, double width, double height) const;
@@ -50,6 +53,7 @@ class FrontPoses {
     Eigen::Matrix3d position_weight, orientation_weight;
   };
 
+  PoseTrack picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries) const;
   bool isContinuedBy(const Track& track) const;
 

@@ -33,7 +33,8 @@ struct LearnedModel {
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();
   double radius = 0;
   double q = 0, q_min = 0, q_max = 0;
-  std::vector<Eigen::Isometry3d> curve;  ///< nonparametric: the front's centre at equal steps of q from q_min to q_max
+  bool q_min_is_end = false, q_max_is_end = false;  ///< false: merely reached
+  std::vector<Eigen::Isometry3d> curve;             ///< nonparametric: the front's centre at equal steps of q from q_min to q_max
   double width = 0, height = 0;
   Matrix6d covariance = Matrix6d::Zero();  ///< as ArticulationModel.covariance
   double position_error = 0, orientation_error = 0;

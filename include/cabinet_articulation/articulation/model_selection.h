@@ -15,6 +15,7 @@ struct Candidate {
   double log_likelihood = 0;  ///< Eq. (10)
   double evidence = 0;        ///< of models that move: sequence log-likelihood less the penalty for complexity
   double correlation = 0;     ///< of one position residual with the next
+  double memory = 0;          ///< correlation with the next of a sequence whose mean is as uncertain as that of the residuals
   double outlier_share = 0;   ///< poses farther than 3 sigma_position
 };
 

@@ -20,14 +20,15 @@ struct PoseTrack {
   /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.
   std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
 
+  /// 1: the pose does not follow the one before at once. Empty: all do but the first.
+  std::vector<char> run_starts;
+
+  bool startsRun(std::size_t i) const { return i == 0 || (!run_starts.empty() && run_starts[i]); }
   std::size_t size() const { return poses.size(); }
 };
 
-/// At most `count` poses, evenly spaced, the first and the last among them.
-PoseTrack thinned(const PoseTrack& track, std::size_t count);
-
-/// The poses from `first` on.
-PoseTrack tail(const PoseTrack& track, std::size_t first);
+/// The poses of these indices, which ascend. run_starts are taken over as they are.
+PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indices);
 
 /// A pose track laid out for the fits: orientations as unit quaternions.
 struct PoseSamples {
@@ -38,6 +39,7 @@ struct PoseSamples {
   std::vector<Eigen::Quaterniond> orientations;
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
+  std::vector<char> run_starts;  ///< one for each pose
 
   std::size_t size() const { return positions.size(); }
 };
