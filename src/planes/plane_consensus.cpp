@@ -171,29 +171,41 @@ void PlaneConsensus::Model::optimizeModelCoefficients(const std::vector<int>& in
   if (const auto plane = fit.solve()) optimized << plane->a, plane->b, -1, plane->c;
 }
 
-PlaneConsensus::PlaneConsensus(const PlanesConfig& config) : config_(config), model_(new Model) { checkConfig(config_); }
+/// Kept between frames, for its vectors.
+struct PlaneConsensus::Search {
+  explicit Search(const PlanesConfig& config) : model(new Model), ransac(model, 1.0) {
+    ransac.setMaxIterations(config.hypotheses);
+    ransac.setProbability(config.confidence);
+  }
+  std::shared_ptr<Model> model;
+  pcl::RandomSampleConsensus<Point> ransac;
+  std::vector<int> inliers;
+};
+
+PlaneConsensus::PlaneConsensus(const PlanesConfig& config) : config_(config) {
+  checkConfig(config_);
+  search_ = std::make_unique<Search>(config_);
+}
 
 PlaneConsensus::~PlaneConsensus() = default;
 
 std::vector<DisparityPlane> PlaneConsensus::process(const DepthFrame& frame) {
+  Model& model = *search_->model;
+  std::vector<int>& inliers = search_->inliers;
   std::vector<DisparityPlane> planes;
-  std::vector<int> inliers;
   Eigen::VectorXf found;
-  model_->setFrame(frame, config_);
-  while (static_cast<int>(planes.size()) < config_.max_planes && model_->sizeAtLeast(config_.min_inliers)) {
-    pcl::RandomSampleConsensus<Point> ransac(model_, 1.0);
-    ransac.setMaxIterations(config_.hypotheses);
-    ransac.setProbability(config_.confidence);
-    if (!ransac.computeModel()) break;
-    ransac.getModelCoefficients(found);
-    ransac.getInliers(inliers);
+  model.setFrame(frame, config_);
+  while (static_cast<int>(planes.size()) < config_.max_planes && model.sizeAtLeast(config_.min_inliers)) {
+    if (!search_->ransac.computeModel()) break;
+    search_->ransac.getModelCoefficients(found);
+    search_->ransac.getInliers(inliers);
     for (int i = 0; i < kRefits; ++i) {
-      model_->optimizeModelCoefficients(inliers, found, found);
-      model_->selectWithinDistance(found, 1.0, inliers);
+      model.optimizeModelCoefficients(inliers, found, found);
+      model.selectWithinDistance(found, 1.0, inliers);
     }
     if (static_cast<int>(inliers.size()) < config_.min_inliers) break;
     planes.push_back({found[0], found[1], found[3]});
-    model_->remove(inliers);
+    model.remove(inliers);
   }
   return planes;
 }

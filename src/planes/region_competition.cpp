@@ -22,27 +22,28 @@ __attribute__((target_clones("avx2", "default"))) void competeRow(const float* d
 RegionCompetition::RegionCompetition(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
 
 const cv::Mat1f& RegionCompetition::process(const cv::Mat1f& disparity, const RegionSet& set) {
-  return compete(disparity, 1, set);
+  compete(disparity, 1, set, &limit_);
+  return limit_;
 }
 
 const cv::Mat1f& RegionCompetition::processCells(const cv::Mat1f& cells, const RegionSet& set) {
-  return compete(cells, kCell, set);
+  compete(cells, kCell, set, &cell_limit_);
+  return cell_limit_;
 }
 
 /// Neighbouring values are `spacing` pixels apart.
-const cv::Mat1f& RegionCompetition::compete(const cv::Mat1f& values, int spacing, const RegionSet& set) {
+void RegionCompetition::compete(const cv::Mat1f& values, int spacing, const RegionSet& set, cv::Mat1f* limit) const {
   const int per_cell = kCell / spacing;
-  limit_.create(values.size());
-  limit_.setTo(kNoLimit);
+  limit->create(values.size());
+  limit->setTo(kNoLimit);
   const float margin = static_cast<float>(config_.other_plane_margin);
   for (const GrownRegion& region : set.regions)
     for (int i = region.first_run; i < region.last_run; ++i) {
       const CellRun& run = set.runs[i];
       for (int row = run.row * per_cell; row < (run.row + 1) * per_cell; ++row)
         competeRow(values[row], run.begin * per_cell, run.end * per_cell, static_cast<float>(region.plane.a * spacing),
-                   static_cast<float>(region.plane.at(0, row * spacing)), margin, limit_[row]);
+                   static_cast<float>(region.plane.at(0, row * spacing)), margin, (*limit)[row]);
     }
-  return limit_;
 }
 
 }  // namespace cabinet_articulation::core

@@ -71,6 +71,27 @@ TEST(Pipeline, LearnsADoorInTheFixedFrameWhileTheCameraMoves) {
   expectDoor(result, simulation.truth(0), simulation.truth(0).T_world_camera);
 }
 
+void expectSameBits(const PipelineResult& a, const PipelineResult& b) {
+  ASSERT_EQ(a.planes.size(), b.planes.size());
+  for (size_t k = 0; k < a.planes.size(); ++k) {
+    EXPECT_EQ(a.planes[k].plane.normal, b.planes[k].plane.normal);
+    EXPECT_EQ(a.planes[k].plane.offset, b.planes[k].plane.offset);
+    EXPECT_EQ(cv::norm(a.planes[k].mask, b.planes[k].mask, cv::NORM_INF), 0);
+  }
+  ASSERT_EQ(a.rectangles.size(), b.rectangles.size());
+  for (size_t k = 0; k < a.rectangles.size(); ++k) {
+    EXPECT_EQ(a.rectangles[k].rectangle.pose.matrix(), b.rectangles[k].rectangle.pose.matrix());
+    EXPECT_EQ(a.rectangles[k].covariance, b.rectangles[k].covariance);
+  }
+  ASSERT_EQ(a.models.size(), b.models.size());
+  for (size_t k = 0; k < a.models.size(); ++k) {
+    EXPECT_EQ(a.models[k].type, b.models[k].type);
+    EXPECT_EQ(a.models[k].axis, b.models[k].axis);
+    EXPECT_EQ(a.models[k].axis_point, b.models[k].axis_point);
+    EXPECT_EQ(a.models[k].covariance, b.models[k].covariance);
+  }
+}
+
 TEST(Pipeline, TheSameFramesGiveTheSameBits) {
   SimulatedStereoCamera simulation(doorAt(5));
   Pipeline first({}), second({});
@@ -80,12 +101,57 @@ TEST(Pipeline, TheSameFramesGiveTheSameBits) {
     const StereoFrame frame = simulation.frame(i);
     const auto a = first.process(i, frame.left, frame.right, simulation.camera());
     const auto b = second.process(i, frame.left, frame.right, simulation.camera());
-    ASSERT_EQ(a.rectangles.size(), b.rectangles.size());
-    for (size_t k = 0; k < a.rectangles.size(); ++k) {
-      EXPECT_EQ(a.rectangles[k].rectangle.pose.matrix(), b.rectangles[k].rectangle.pose.matrix());
-      EXPECT_EQ(a.rectangles[k].covariance, b.rectangles[k].covariance);
+    expectSameBits(a, b);
+  }
+}
+
+TEST(Pipeline, TheNumberOfThreadsChangesNoBit) {
+  SimulationConfig config = doorAt(5);
+  config.scene = "kitchen";
+  SimulatedStereoCamera simulation(config);
+  std::vector<StereoFrame> frames;
+  for (int i = 8; i < 14; ++i) frames.push_back(simulation.frame(i));
+  const auto run = [&](int threads) {
+    cv::setNumThreads(threads);
+    Pipeline pipeline({});
+    std::vector<PipelineResult> results;
+    for (size_t i = 0; i < frames.size(); ++i)
+      results.push_back(pipeline.process(i / config.rate, frames[i].left, frames[i].right, simulation.camera()));
+    return results;
+  };
+  const int before = cv::getNumThreads();
+  const std::vector<PipelineResult> expected = run(1);
+  ASSERT_FALSE(expected.back().rectangles.empty());
+  for (const int threads : {2, 4}) {
+    const std::vector<PipelineResult> results = run(threads);
+    for (size_t i = 0; i < frames.size(); ++i) {
+      EXPECT_EQ(cv::norm(results[i].frame.disparity, expected[i].frame.disparity, cv::NORM_INF), 0);
+      expectSameBits(results[i], expected[i]);
     }
   }
+  cv::setNumThreads(before);
+}
+
+/// The paper's own recipe finds large fronts that stand well off their surroundings.
+TEST(Pipeline, ThePapersVariantDetectsADoor) {
+  SimulatedStereoCamera simulation(doorAt(3));
+  PipelineConfig config;
+  config.planes.method = "paper";
+  config.rectangles = RectanglesConfig::paper();
+  Pipeline pipeline(config);
+  int open = 0, found = 0;
+  for (int i = 0; i < simulation.frameCount(); ++i) {
+    const FrontTruth door = simulation.truth(i).joints[0];
+    if (door.q < 0.5) continue;
+    const StereoFrame frame = simulation.frame(i);
+    const PipelineResult result = pipeline.process(i / 3.0, frame.left, frame.right, simulation.camera());
+    ++open;
+    found += std::any_of(result.rectangles.begin(), result.rectangles.end(), [&](const DetectedRectangle& detection) {
+      return intersectionOverUnion(door.rectangle, detection.rectangle) > 0.7;
+    });
+  }
+  ASSERT_GT(open, 5);
+  EXPECT_GT(found, open / 2);
 }
 
 TEST(Pipeline, NothingSeenIsNothingLearned) {

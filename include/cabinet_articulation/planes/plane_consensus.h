@@ -23,8 +23,9 @@ class PlaneConsensus {
 
  private:
   class Model;
+  struct Search;
   PlanesConfig config_;
-  std::shared_ptr<Model> model_;
+  std::unique_ptr<Search> search_;
 };
 
 }  // namespace cabinet_articulation::core

@@ -20,14 +20,14 @@ class RegionCompetition {
   /// regions that hold it plus `other_plane_margin`; huge where no region is. Valid until the next call.
   const cv::Mat1f& process(const cv::Mat1f& disparity, const RegionSet& set);
 
-  /// The same for each cell, of the cells' disparities.
+  /// The same for each cell, from the disparities of the cells. Valid until the next call.
   const cv::Mat1f& processCells(const cv::Mat1f& cells, const RegionSet& set);
 
  private:
-  const cv::Mat1f& compete(const cv::Mat1f& values, int spacing, const RegionSet& set);
+  void compete(const cv::Mat1f& values, int spacing, const RegionSet& set, cv::Mat1f* limit) const;
 
   PlanesConfig config_;
-  cv::Mat1f limit_;
+  cv::Mat1f limit_, cell_limit_;
 };
 
 }  // namespace cabinet_articulation::core
