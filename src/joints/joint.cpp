@@ -43,7 +43,7 @@ std::string outsideSeenRange(const LearnedModel& model, double q_lowest, double 
   if (q_lowest >= model.q_min - kRangeMargin && q_highest <= model.q_max + kRangeMargin) return "";
   std::ostringstream text;
   text.precision(3);
-  text << nameOf(model) << " was seen from q = " << model.q_min << " to " << model.q_max
+  text << std::fixed << nameOf(model) << " was seen from q = " << model.q_min << " to " << model.q_max
        << (modelEntry(model.type).unit == ConfigurationUnit::kRadian ? " rad" : " m") << "; beyond that this is a guess";
   return text.str();
 }

@@ -42,7 +42,8 @@ class ArticulationNodelet : public StageNodelet {
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
     models_ = advertise<ArticulationModelArray>("models");
-    joint_states_ = advertise<sensor_msgs::JointState>("joint_states");
+    // A robot_state_publisher that is started late needs to know where a front was left.
+    joint_states_ = advertise<sensor_msgs::JointState>("joint_states", true);
   }
 
   void subscribe() override {

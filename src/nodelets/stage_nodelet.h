@@ -60,11 +60,11 @@ class StageNodelet : public nodelet::Nodelet {
     live_settings_ = std::make_unique<LiveSettings>(getPrivateNodeHandle(), describeForTuning<Config>(), toTuning(config), set);
   }
 
-  /// An output whose subscribers make the stage work.
+  /// An output whose subscribers make the stage work. Latched: who subscribes later gets the last message at once.
   template <class Message>
-  ros::Publisher advertise(const std::string& topic) {
+  ros::Publisher advertise(const std::string& topic, bool latched = false) {
     const auto changed = [this](const ros::SingleSubscriberPublisher&) { followListeners(); };
-    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, changed, changed));
+    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, changed, changed, ros::VoidConstPtr(), latched));
     return outputs_.back();
   }
 

@@ -52,8 +52,8 @@ TEST(Joint, BaseIsARotationEvenIfTheAxisGoesThroughTheCentre) {
 TEST(Joint, WarnsOfOpeningsThatNobodyHasSeen) {
   const LearnedModel door = test::doorModel();
   EXPECT_EQ(outsideSeenRange(door, 0, 1.2), "");
-  EXPECT_EQ(outsideSeenRange(door, 0, 1.5), "front 3 was seen from q = 0 to 1.2 rad; beyond that this is a guess");
-  EXPECT_THAT(outsideSeenRange(test::drawerModel(), -0.1, 0), HasSubstr("0.3 m"));
+  EXPECT_EQ(outsideSeenRange(door, 0, 1.5), "front 3 was seen from q = 0.000 to 1.200 rad; beyond that this is a guess");
+  EXPECT_THAT(outsideSeenRange(test::drawerModel(), -0.1, 0), HasSubstr("0.300 m"));
 }
 
 }  // namespace
