@@ -8,7 +8,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kAnyFront = 0.3;       ///< [m] sigma of the size of a front nobody has seen
-constexpr double kHardlySeen = 0.1;     ///< weight of a length, the best being 1
+constexpr double kHardlySeen = 0.01;    ///< weight of a length, the best being 1
 constexpr double kHardlySeenSum = 1.0;  ///< hours of a half hidden front must not outweigh a minute of a visible one
 
 /// Of the distance between the two edges of an axis [m].
@@ -27,7 +27,7 @@ double measuredLength(const DetectedRectangle& detection, int axis) {
 /// What any front is like, and the best observed length: edges err together over a track, so many frames say no more than
 /// one. But the first ones may all be wrong.
 double sigma(const LengthEstimate& length, const TrackingConfig& config) {
-  const double observed = std::pow(bestSigma(config) / std::max(length.bestWeight(), 1e-6), 2);
+  const double observed = std::pow(bestSigma(config), 2) / std::max(length.bestWeight(), 1e-6);
   const double count = std::max(length.count(), 1.0);
   const double first = std::pow(config.first_size_sigma / count, 2);
   const double spread = std::pow(length.spread(), 2) / count;
@@ -38,8 +38,7 @@ double sigma(const LengthEstimate& length, const TrackingConfig& config) {
 
 void FrontSize::add(const DetectedRectangle& detection) {
   for (int axis = 0; axis < 2; ++axis) {
-    // Weights of a median go with 1 / sigma (noise with heavy tails), those of a mean would with its square.
-    double weight = bestSigma(config_) / lengthSigma(detection, axis, config_);
+    double weight = std::pow(bestSigma(config_) / lengthSigma(detection, axis, config_), 2);
     if (weight < kHardlySeen) {
       weight = std::min(weight, kHardlySeenSum - hardly_seen_[axis]);
       hardly_seen_[axis] += weight;

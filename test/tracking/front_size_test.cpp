@@ -107,7 +107,7 @@ TEST(FrontSize, ALengthThatWasNeverObservedBindsNobody) {
 TEST(FrontSize, ManyUnseenEdgesSayMoreThanAFewDoubtfulOnes) {
   const TrackingConfig config;
   FrontSize size(config);
-  for (double width : {0.437, 0.35, 0.446, 0.419}) size.add(sized(width, 0.6, {0.4F, 0.6F, 1, 1}));  // hardly open
+  for (double width : {0.437, 0.35, 0.446, 0.419}) size.add(sized(width, 0.6, {0.2F, 0.6F, 1, 1}));  // hardly open
   for (int i = 0; i < 60; ++i) size.add(sized(0.39 + 0.001 * (i % 10), 0.6, {0, 0.9F, 1, 1}));
   EXPECT_NEAR(size.known().value.x(), 0.395, 0.005);
 }
