@@ -14,6 +14,7 @@
 #include "cabinet_articulation/rectangles/rectangle_covariance.h"
 #include "cabinet_articulation/rectangles/region_fit.h"
 #include "cabinet_articulation/rectangles/region_order.h"
+#include "cabinet_articulation/rectangles/round_surface.h"
 #include "cabinet_articulation/rectangles/work_budget.h"
 
 namespace cabinet_articulation::core {
@@ -53,6 +54,18 @@ std::optional<SupportedRectangle> assess(const RectangleCandidate& candidate, co
   result.detection.recall = recall(counts, candidate.region.inliers);
   if (!fillsRegion(result.detection, counts, config)) return std::nullopt;
   return result;
+}
+
+/// Edges that the images confirm may bend a little inside too: windows of block matching blend both sides.
+std::array<float, 4> observedShares(const DepthFrame& frame, const RectangleCandidate& candidate,
+                                    const std::array<bool, 4>& confirmed) {
+  std::array<float, 4> shares = edgeSupport(candidate.chart, candidate.rectangle, candidate.region.mask, confirmed);
+  for (const Edge edge : kEdges) {
+    if (confirmed[edge]) continue;
+    const std::optional<ImageEdge> image = imageEdge(candidate.chart, candidate.rectangle, edge);
+    if (image && bendsAway(frame, candidate.region.disparity_plane, *image)) shares[edge] = 0;
+  }
+  return shares;
 }
 
 /// True if a rectangle is where a track has been.
@@ -130,7 +143,7 @@ std::optional<SupportedRectangle> RectangleDetector::refine(const DepthFrame& fr
   std::optional<SupportedRectangle> result = assess(*candidate, buffers_->objective, config_);
   if (!result) return std::nullopt;
   DetectedRectangle& detection = result->detection;
-  detection.edge_support = edgeSupport(candidate->chart, candidate->rectangle, candidate->region.mask, refined.confirmed);
+  detection.edge_support = observedShares(frame, *candidate, refined.confirmed);
   result->tracked = tracked(detection.rectangle, expected);
   if (!bounded(detection.edge_support, config_) && !result->tracked) return std::nullopt;
   std::array<EdgeObservation, 4> edges;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cabinet_articulation/planes/plane_region.h"
+#include "cabinet_articulation/rectangles/image_edge.h"
+#include "cabinet_articulation/stereo/depth_frame.h"
+
+namespace cabinet_articulation::core {
+
+/// True if the surface bends away from the plane along this edge, as bottles, bins and arms do (ours): it has begun to leave
+/// the plane inside the edge, and beyond it has not left it by a step. A rectangle on a round thing ends where a tolerance
+/// ends; that is no edge.
+bool bendsAway(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge);
+
+}  // namespace cabinet_articulation::core

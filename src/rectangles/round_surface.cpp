@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/round_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr int kSamples = 32;        ///< along the edge
+constexpr int kFewest = 12;         ///< with depth
+constexpr double kDeep = -14;       ///< [px] outward from the edge
+constexpr double kInside = -4;      ///< [px]
+constexpr double kOutside = 3;      ///< [px]
+constexpr double kFarOutside = 8;   ///< [px]
+constexpr float kBend = 0.12F;      ///< [px] of disparity; medians along the edges of flat fronts stay below
+constexpr float kNoStep = 0.75F;    ///< [px] at kOutside; an edge 2 cm before the next surface, at 1.3 m
+constexpr float kNoFarStep = 1.4F;  ///< [px] at kFarOutside
+
+/// Median of how much smaller the disparity is than the plane's, along a parallel to the edge.
+float departure(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge, double offset) {
+  std::array<float, kSamples> values;
+  int n = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const Eigen::Vector2d pixel = edge.a + (i + 0.5) / kSamples * (edge.b - edge.a) + offset * edge.outward;
+    const auto u = static_cast<int>(std::lround(pixel.x())), v = static_cast<int>(std::lround(pixel.y()));
+    if (u < 0 || v < 0 || u >= frame.disparity.cols || v >= frame.disparity.rows) continue;
+    const float disparity = frame.disparity(v, u);
+    if (disparity > 0) values[n++] = static_cast<float>(plane.at(u, v)) - disparity;
+  }
+  if (n < kFewest) return std::numeric_limits<float>::quiet_NaN();
+  std::nth_element(values.begin(), values.begin() + n / 2, values.begin() + n);
+  return values[n / 2];
+}
+
+}  // namespace
+
+bool bendsAway(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge) {
+  if (frame.disparity.empty() || edge.depth < -kDeep) return false;
+  const float inside = departure(frame, plane, edge, kInside);
+  const float outside = departure(frame, plane, edge, kOutside);
+  const float far_outside = departure(frame, plane, edge, kFarOutside);
+  return inside - departure(frame, plane, edge, kDeep) > kBend && outside > inside && outside < kNoStep &&
+         far_outside > outside && far_outside < kNoFarStep;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/round_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "front_scene.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kDistance = 1.3;  ///< [m]
+
+class RoundSurfaceTest : public testing::Test {
+ protected:
+  RoundSurfaceTest() { frame_.camera = exampleCamera(); }
+
+  /// The depth of each pixel's ray, from the place (x, y) at which it meets the front's plane.
+  void fill(const std::function<double(double, double)>& depth) {
+    frame_.disparity.create(frame_.camera.height, frame_.camera.width);
+    for (int v = 0; v < frame_.camera.height; ++v)
+      for (int u = 0; u < frame_.camera.width; ++u) {
+        const Eigen::Vector3d p = frame_.camera.ray(u, v) * kDistance;
+        frame_.disparity(v, u) = static_cast<float>(frame_.camera.disparity(depth(p.x(), p.y())));
+      }
+  }
+
+  bool bends(const Rectangle& front, Edge edge) const {
+    const PlaneChart chart = *PlaneChart::at(front.plane(), frame_.camera, frame_.camera.project(front.center()));
+    return bendsAway(frame_, *toDisparityPlane(front.plane(), frame_.camera), *imageEdge(chart, chart.fromSpace(front), edge));
+  }
+
+  DepthFrame frame_;
+};
+
+TEST_F(RoundSurfaceTest, SeesTheSidesOfABinBendAway) {
+  constexpr double kRadius = 0.16, kHalfWidth = 0.075, kHalfHeight = 0.15;
+  const double sagitta = kHalfWidth * kHalfWidth / (2 * kRadius);
+  // The plane runs through the middle of what it holds, as a fitted one does.
+  fill([&](double x, double y) {
+    const double bend = std::abs(x) < kRadius ? kRadius - std::sqrt(kRadius * kRadius - x * x) : 1;
+    return std::abs(y) < kHalfHeight ? kDistance + bend - sagitta / 3 : 2.0;
+  });
+  const Rectangle patch = exampleFront({0, 0, kDistance}, 2 * kHalfWidth, 2 * kHalfHeight, 0, 0, 0);
+  EXPECT_TRUE(bends(patch, kEdgeMinusX));
+  EXPECT_TRUE(bends(patch, kEdgePlusX));
+  EXPECT_FALSE(bends(patch, kEdgeMinusY));
+  EXPECT_FALSE(bends(patch, kEdgePlusY));
+}
+
+TEST_F(RoundSurfaceTest, AFlatFrontEndsInAStep) {
+  for (const double behind : {0.03, 0.3}) {
+    fill([&](double x, double y) { return std::abs(x) < 0.2 && std::abs(y) < 0.15 ? kDistance : kDistance + behind; });
+    for (const Edge edge : kEdges) EXPECT_FALSE(bends(exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0), edge)) << behind;
+  }
+}
+
+TEST_F(RoundSurfaceTest, ASurfaceThatGoesOnDoesNotBend) {
+  fill([](double, double) { return kDistance; });
+  for (const Edge edge : kEdges) EXPECT_FALSE(bends(exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0), edge));
+}
+
+TEST_F(RoundSurfaceTest, NothingIsKnownWithoutDepth) {
+  const Rectangle front = exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0);
+  for (const Edge edge : kEdges) EXPECT_FALSE(bends(front, edge));
+  frame_.disparity = cv::Mat1f(frame_.camera.height, frame_.camera.width, std::numeric_limits<float>::quiet_NaN());
+  for (const Edge edge : kEdges) EXPECT_FALSE(bends(front, edge));
+  fill([](double, double) { return kDistance; });
+  EXPECT_FALSE(bends(exampleFront({3, 0, kDistance}, 0.4, 0.3, 0, 0, 0), kEdgePlusX));  // outside the image
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
