@@ -145,10 +145,12 @@ void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, 
   ++memory.seen;
   memory.size.add(measured);
   const KnownSize& known = memory.size.known();
-  const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep;
+  const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep ||
+                       (known.sigma.array() < memory.placed_sigma.array() / 2).any();
   if (resized) {
     track.width = known.value.x();
     track.height = known.value.y();
+    memory.placed_sigma = known.sigma;
   }
   const DetectedRectangle placed = placeOnObservedEdges(measured, known, &found.reference, config_);
   track.observations.push_back(

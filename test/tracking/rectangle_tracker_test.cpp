@@ -163,6 +163,25 @@ TEST(RectangleTracker, AnOpeningDoorThatLooksTooWideIsPlacedAnew) {
   EXPECT_LT(largestError(tracker.tracks()[0], door), 0.02) << "also the first ones, once the size is known";
 }
 
+TEST(RectangleTracker, AWrongFirstSizeThatLookedCertainIsCorrected) {
+  const auto drawer = [](double t) { return pulled(closedFront(0, 0.395, 0.125), 0.02 + 0.2 * t); };
+  RectangleTracker tracker({});
+  NoisyDetector detect(18);
+  for (int i = 0; i < 30; ++i) {
+    DetectedRectangle detection = detect.plain(drawer(i * kFrame));
+    detection.edge_support[kEdgePlusY] = 0.55F;
+    if (i == 0) {
+      detection.rectangle.height += 0.043;
+      detection.rectangle.pose.translate(Eigen::Vector3d(0, 0.0215, 0));
+    }
+    tracker.process(i * kFrame, {detection});
+  }
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  const Track& track = tracker.tracks()[0];
+  EXPECT_EQ(track.observations.size(), 30u);
+  EXPECT_LT((track.observations[0].rectangle.center() - drawer(0).center()).norm(), 0.01) << "21 mm off as measured";
+}
+
 TEST(RectangleTracker, SizeIsDefinedWhenEdgesAreNeverObserved) {
   RectangleTracker tracker({});
   NoisyDetector detect(19);
