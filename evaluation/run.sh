@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Reproduces the paper's figures: run.sh [--sequences FOLDER] [--tracks FOLDER] [OUT]
-# Writes tables (CSV), figures (PNG) and a summary.md to OUT (build/figures unless given). Without folders the simulator is all it needs.
-# Builds first if the programs are missing; CABINET_BUILD names another build folder.
+# Writes tables (CSV), figures (PNG) and a summary.md to OUT (build/figures unless given). The simulator is all it needs.
+# Builds first if the programs are missing; CABINET_BUILD names another build folder, which must have them.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
@@ -21,7 +21,10 @@ done
 out=${out:-$build/figures}
 
 programs=$build/devel/lib/cabinet_articulation/evaluation
-[ -x "$programs/fig12_models" ] || "$root/scripts/build.sh" "$build"
+if [ ! -x "$programs/fig12_models" ]; then
+  [ -z "${CABINET_BUILD:-}" ] || { echo "no programs in $programs: build there, or unset CABINET_BUILD" >&2; exit 1; }
+  "$root/scripts/build.sh"
+fi
 export LD_LIBRARY_PATH=$build/devel/lib:${LD_LIBRARY_PATH:-}
 "$programs/fig03_depth_error" --sequences "$sequences" "$out"
 "$programs/fig11_detection" --sequences "$sequences" "$out"
