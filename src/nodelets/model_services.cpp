@@ -181,7 +181,8 @@ void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::R
   if (request.ids.empty())
     for (const core::KnownFront& front : known_.joints())
       if (core::hasUrdf(front.model)) models.push_back(front.model);
-  if (models.empty()) throw core::ModelError("no front has moved enough yet to tell how it moves");
+  if (models.empty())
+    throw core::ModelError("no prismatic or rotational joint is known yet; fronts must be seen while they move");
   response->urdf = core::toUrdf(models, frame_id_, jointPrefix(nh_.getNamespace()));
 }
 

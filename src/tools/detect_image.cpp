@@ -67,7 +67,7 @@ std::optional<Options> parseOptions(int argc, char** argv) {
 /// [m]
 cv::Mat1f readDepth(const Options& options) {
   const cv::Mat image = cv::imread(options.depth, cv::IMREAD_UNCHANGED);
-  if (image.empty()) throw std::runtime_error(options.depth + ": no image");
+  if (image.empty()) throw std::runtime_error(options.depth + ": no image, or none that can be read");
   if (image.type() != CV_16UC1 && image.type() != CV_32FC1)
     throw std::runtime_error(options.depth + ": expected 1 channel with 16 bit or floating point");
   cv::Mat1f depth;

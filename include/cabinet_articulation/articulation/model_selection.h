@@ -19,6 +19,7 @@ struct Candidate {
   double outlier_share = 0;   ///< poses farther than 3 sigma_position
 };
 
+/// Which candidate describes the track, and how sure that is.
 struct Selection {
   std::size_t best = 0;               ///< of the candidates given
   std::vector<double> probabilities;  ///< index = JointType; sums to 1

@@ -7,6 +7,7 @@
 
 namespace cabinet_articulation::core {
 
+/// A pose and how certain it is.
 struct UncertainPose {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();  ///< x y z [m], rotations about x y z [rad], in the axes of the pose's frame

@@ -14,6 +14,7 @@
 
 namespace cabinet_articulation::core {
 
+/// The settings of all five stages.
 struct PipelineConfig {
   StereoConfig stereo;
   PlanesConfig planes;

@@ -8,6 +8,7 @@
 
 namespace cabinet_articulation::core {
 
+/// A rectangle on the edges that the images show.
 struct RefinedRectangle {
   PlaneRectangle rectangle;
   std::array<bool, 4> confirmed{{false, false, false, false}};  ///< edges that the images place, in the order of `Edge`

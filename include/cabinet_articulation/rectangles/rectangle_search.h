@@ -8,6 +8,7 @@ namespace cabinet_articulation::core {
 /// What the search may change.
 enum class SearchFreedom { kAll, kPlacement };  ///< kPlacement: position and angle, the size is given
 
+/// The best rectangle found.
 struct SearchResult {
   PlaneRectangle rectangle;
   double gain = 0;  ///< of the objective; minus infinity if not even the start was allowed

@@ -7,6 +7,7 @@
 
 namespace cabinet_articulation::core {
 
+/// Settings of the detector: the objective, the search, the refinement and what is accepted.
 struct RectanglesConfig {
   // Objective
   std::string objective = "label_weights";

@@ -5,6 +5,7 @@
 
 namespace cabinet_articulation::core {
 
+/// Settings of the tracker: what continues a track, when it ends, and how certain edges and sizes are.
 struct TrackingConfig {
   double timeout = 20;
   double tentative_timeout = 1;
