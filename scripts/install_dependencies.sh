@@ -23,8 +23,8 @@ debian_packages=(
   python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs
   python3-visualization-msgs python3-tf2-msgs
   ros-message-generation ros-message-runtime ros-std-msgs ros-geometry-msgs ros-sensor-msgs ros-stereo-msgs
-  ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libstd-srvs-dev python3-std-srvs libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev
-  libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
+  ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libstd-srvs-dev python3-std-srvs
+  libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
   # libraries
   libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev libtinyxml-dev
   # benchmarks, and the figures of the evaluation
