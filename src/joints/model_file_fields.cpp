@@ -95,9 +95,10 @@ Matrix6d covariance(const double* n) {
   return covariance;
 }
 
+/// 0 is a size nobody knows: a marker's, or that of a log of poses.
 double length(const YAML::Node& node, const std::string& field) {
   const double value = number(node, field);
-  if (value <= 0) throw std::runtime_error("'" + field + "' is " + toText(value) + ", expected a length");
+  if (value < 0) throw std::runtime_error("'" + field + "' is " + toText(value) + ", expected a length");
   return value;
 }
 
@@ -110,11 +111,12 @@ JointType typeFromName(const YAML::Node& node) {
 YAML::Node observationsToYaml(const Track& track) {
   YAML::Node node;
   for (const TrackedObservation& observation : track.observations) {
+    if (!observation.rectangle.pose.matrix().allFinite()) continue;  // the learner ignores it, and a reader would refuse it
     Numbers n{observation.stamp};
     append(observation.rectangle.pose, &n);
     n.insert(n.end(), {observation.rectangle.width, observation.rectangle.height});
     n.insert(n.end(), observation.edge_support.begin(), observation.edge_support.end());
-    append(observation.covariance, &n);
+    append(observation.covariance.allFinite() ? observation.covariance : Matrix6d(Matrix6d::Zero()), &n);
     node.push_back(list(n));
   }
   return node;
@@ -125,7 +127,7 @@ TrackedObservation observationFromYaml(const YAML::Node& node) {
   TrackedObservation observation;
   observation.stamp = n[0];
   observation.rectangle = {pose(&n[1], "observations"), n[8], n[9]};
-  if (n[8] <= 0 || n[9] <= 0) throw std::runtime_error("an observation has no size");
+  if (n[8] < 0 || n[9] < 0) throw std::runtime_error("an observation has a negative size");
   for (std::size_t i = 0; i < kEdges; ++i) observation.edge_support[i] = static_cast<float>(n[10 + i]);
   observation.covariance = covariance(&n[10 + kEdges]);
   observation.measured = observation.rectangle;

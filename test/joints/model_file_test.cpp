@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "cabinet_articulation/joints/prediction.h"
@@ -117,6 +118,20 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
 TEST_F(ModelFiles, OfNothingAreReadToo) {
   writeModelFile(path_, {"map", {}});
   EXPECT_TRUE(readModelFile(path_).fronts.empty());
+}
+
+TEST_F(ModelFiles, HoldMarkersThatHaveNoSizeAndObservationsWithoutCertainty) {
+  LearnedModel marker = test::drawerModel();
+  marker.width = marker.height = 0;
+  ModelFile saved{"map", {known(marker)}};
+  for (TrackedObservation& observation : saved.fronts[0].track.observations) observation.rectangle.height = 0;
+  saved.fronts[0].track.observations[1].covariance(5, 5) = std::numeric_limits<double>::infinity();
+  saved.fronts[0].track.observations[2].rectangle.pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  writeModelFile(path_, saved);
+  const KnownFront loaded = readModelFile(path_).fronts.at(0);
+  EXPECT_EQ(loaded.model.width, 0);
+  ASSERT_EQ(loaded.track.observations.size(), 19u) << "but for the one without a place";
+  EXPECT_TRUE(loaded.track.observations[1].covariance.isZero(0)) << "unknown";
 }
 
 TEST_F(ModelFiles, StaySmallWhenMuchWasSeen) {
