@@ -64,6 +64,13 @@ std::uint32_t count(const YAML::Node& node, const std::string& field) {
   return static_cast<std::uint32_t>(value);
 }
 
+/// False where it is missing: a file may be older than the field.
+bool flag(const YAML::Node& node, const std::string& field) {
+  bool value = false;
+  if (node && !YAML::convert<bool>::decode(node, value)) throw std::runtime_error("'" + field + "' is neither true nor false");
+  return value;
+}
+
 Numbers numbers(const YAML::Node& node, const std::string& field, std::size_t size) {
   if (!node || !node.IsSequence() || node.size() != size)
     throw std::runtime_error("'" + field + "' is not a list of " + std::to_string(size) + " numbers");
@@ -157,6 +164,8 @@ YAML::Node toYaml(const KnownFront& front) {
                                                     {"position_error", model.position_error},
                                                     {"orientation_error", model.orientation_error}};
   for (const auto& [name, value] : scalars) node[name] = toText(value);
+  node["q_min_is_end"] = model.q_min_is_end;
+  node["q_max_is_end"] = model.q_max_is_end;
   node["covariance"] = list(model.covariance);
   node["number_of_observations"] = model.observations;
   for (const ModelParam& param : model.params) node["params"][param.name] = list(Numbers{param.value, double(param.kind)});
@@ -183,6 +192,8 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   model.q_min = number(node["q_min"], "q_min");
   model.q_max = number(node["q_max"], "q_max");
   if (model.q_min > model.q_max) throw std::runtime_error("'q_min' is more than 'q_max'");
+  model.q_min_is_end = flag(node["q_min_is_end"], "q_min_is_end");
+  model.q_max_is_end = flag(node["q_max_is_end"], "q_max_is_end");
   model.width = length(node["width"], "width");
   model.height = length(node["height"], "height");
   model.position_error = number(node["position_error"], "position_error");

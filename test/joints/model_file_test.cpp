@@ -26,7 +26,9 @@ KnownFront known(LearnedModel model, int observations = 20) {
   model.position_error = 0.0012345;
   model.orientation_error = 0.02;
   model.observations = observations;
-  model.probabilities.resize(4, 0);
+  model.q_min_is_end = true;
+  model.q_max_is_end = false;
+  model.probabilities = {0.01, 0.02, 0.94, 0.03};
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) model.covariance(i, j) = 1e-5 / (1 + i + j);
   model.params = {{"sigma_position", 0.01, ModelParam::kPrior}, {"q_min[0]", model.q_min, ModelParam::kEval}};
@@ -95,6 +97,18 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
     EXPECT_TRUE(isJoint(after));
     EXPECT_NEAR(after.stamp, before.stamp, 1e-5);
     EXPECT_EQ(after.observations, 20);
+    EXPECT_TRUE(after.q_min_is_end);
+    EXPECT_FALSE(after.q_max_is_end);
+    EXPECT_EQ(after.probabilities, before.probabilities);
+    EXPECT_TRUE(after.origin.isApprox(before.origin, 1e-10));
+    EXPECT_TRUE(after.axis.isApprox(before.axis, 1e-10));
+    EXPECT_TRUE(after.axis_point.isApprox(before.axis_point, 1e-10));
+    EXPECT_TRUE(after.covariance.isApprox(before.covariance, 1e-9));
+    EXPECT_EQ(after.curve.size(), before.curve.size());
+    for (const auto& field :
+         {&LearnedModel::radius, &LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max, &LearnedModel::width,
+          &LearnedModel::height, &LearnedModel::position_error, &LearnedModel::orientation_error})
+      EXPECT_NEAR(after.*field, before.*field, 1e-10);
     EXPECT_EQ(after.params.size(), 2u);
     EXPECT_EQ(after.params[1].name, "q_min[0]");
     EXPECT_EQ(after.params[1].kind, ModelParam::kEval);
@@ -113,6 +127,12 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
     EXPECT_TRUE(again.covariance.isApprox(first.covariance, 1e-9));
     EXPECT_TRUE(again.measured.pose.isApprox(again.rectangle.pose));
   }
+}
+
+TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
+  writeModelFile(path_, {"map", {known(test::doorModel())}});
+  damage("    q_min_is_end: true\n", "");
+  EXPECT_FALSE(readModelFile(path_).fronts.at(0).model.q_min_is_end);
 }
 
 TEST_F(ModelFiles, OfNothingAreReadToo) {
@@ -182,6 +202,7 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
       {{"width: 0.4", "width: -0.4"}, "'width' is -0.4, expected a length"},
       {{"q_max: 1.2", "q_max: .nan"}, "'q_max' is missing or no finite number"},
       {{"q_max: 1.2", "q_max: -1"}, "'q_min' is more than 'q_max'"},
+      {{"q_min_is_end: true", "q_min_is_end: 3"}, "'q_min_is_end' is neither true nor false"},
       {{"axis: [0, 1, 0]", "axis: [0, 2, 0]"}, "'axis' is not of unit length"},
       {{"axis: [0, 1, 0]", "axis: [0, 1]"}, "'axis' is not a list of 3 numbers"},
       {{"origin: [", "origin: [1, "}, "'origin' is not a list of 7 numbers"},
