@@ -103,7 +103,7 @@ TEST_F(OverlayNodelet, MarkersComeAndGoWithTheModels) {
   ASSERT_TRUE(answered({test::doorModel()}));
   std::map<std::string, Marker> shown;
   for (const Marker& marker : markers_.messages.back()->markers) shown[marker.ns] = marker;
-  for (const char* ns : {"rectangles", "fronts", "axes", "sweep", "labels"}) EXPECT_EQ(shown.count(ns), 1u) << ns;
+  for (const char* ns : {"rectangles", "fronts", "axes", "ways", "sweep", "labels"}) EXPECT_EQ(shown.count(ns), 1u) << ns;
   EXPECT_EQ(shown["rectangles"].header.frame_id, "camera");
   EXPECT_EQ(shown["fronts"].header.frame_id, "map");
   markers_.messages.clear();
@@ -111,7 +111,7 @@ TEST_F(OverlayNodelet, MarkersComeAndGoWithTheModels) {
   int deleted = 0;
   for (const auto& message : markers_.messages)
     for (const Marker& marker : message->markers) deleted += marker.action == Marker::DELETE && marker.id == 3;
-  EXPECT_EQ(deleted, 4);
+  EXPECT_EQ(deleted, 5);
 }
 
 }  // namespace
