@@ -2,7 +2,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/planes/plane_segmenter.h"
-#include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/plane_messages.h"
 #include "frame_input.h"
 #include "latest_worker.h"
 #include "stage_nodelet.h"
@@ -62,11 +62,12 @@ class PlanesNodelet : public StageNodelet {
                                 ": no pixel has a valid depth; is the lens covered, the projector off or everything too close?");
       const std::vector<core::PlaneRegion> planes = segmenter_->process(views.frame);
       health().note("planes", static_cast<double>(planes.size()));
-      publish(planes_, toMessage(planes, messages.header()));
+      publish(planes_, messages_.make(planes, messages.header()));
     });
   }
 
   std::unique_ptr<core::PlaneSegmenter> segmenter_;
+  PlaneMessages messages_;
   ros::Publisher planes_;
   std::unique_ptr<LatestWorker<FrameMessages>> worker_;
   std::unique_ptr<FrameInput> frames_;

@@ -70,10 +70,14 @@ class StageNodelet : public nodelet::Nodelet {
 
   /// Publishes a message that nobody touches afterwards: subscribers in this process get this very object.
   template <class Message>
+  void publish(const ros::Publisher& output, const boost::shared_ptr<Message>& message) {
+    NODELET_DEBUG_STREAM_NAMED("zero_copy", output.getTopic() << " published at " << message.get());
+    output.publish(message);
+  }
+
+  template <class Message>
   void publish(const ros::Publisher& output, Message message) {
-    const auto shared = boost::make_shared<Message>(std::move(message));
-    NODELET_DEBUG_STREAM_NAMED("zero_copy", output.getTopic() << " published at " << shared.get());
-    output.publish(shared);
+    publish(output, boost::make_shared<Message>(std::move(message)));
   }
 
   /// Runs the stage on one frame, measures it and turns an exception into a trouble.

@@ -36,21 +36,22 @@ __attribute__((target_clones("avx2", "default"))) void labelRow(const float* dis
 
 }  // namespace
 
-cv::Mat1b labelByNoise(const cv::Mat1f& disparity, const DisparityPlane& plane, const DisparityTolerance& tolerance,
-                       const cv::Mat1f& limit) {
-  cv::Mat1b mask(disparity.size());
-  for (int v = 0; v < mask.rows; ++v) labelRow(disparity[v], limit[v], mask.cols, RowPlane(plane, v), tolerance, mask[v]);
-  return mask;
+void labelByNoise(const cv::Mat1f& disparity, const DisparityPlane& plane, const DisparityTolerance& tolerance,
+                  const cv::Mat1f& limit, cv::Mat1b* mask) {
+  mask->create(disparity.size());
+  for (int v = 0; v < mask->rows; ++v) labelRow(disparity[v], limit[v], mask->cols, RowPlane(plane, v), tolerance, (*mask)[v]);
 }
 
 // With p = z r and disparity = f B / z, the distance to the plane is offset |disparity - disparity of the plane| / disparity.
-cv::Mat1b labelByDistance(const DepthFrame& frame, const Plane& plane, double distance) {
-  cv::Mat1b mask(frame.disparity.size());
+void labelByDistance(const DepthFrame& frame, const Plane& plane, double distance, cv::Mat1b* mask) {
+  mask->create(frame.disparity.size());
   const auto image = toDisparityPlane(plane, frame.camera);
-  if (!image) return mask = kUnknown;
+  if (!image) {
+    mask->setTo(kUnknown);
+    return;
+  }
   const float tolerance = static_cast<float>(distance / plane.offset);
-  for (int v = 0; v < mask.rows; ++v) labelRow(frame.disparity[v], mask.cols, RowPlane(*image, v), tolerance, mask[v]);
-  return mask;
+  for (int v = 0; v < mask->rows; ++v) labelRow(frame.disparity[v], mask->cols, RowPlane(*image, v), tolerance, (*mask)[v]);
 }
 
 }  // namespace cabinet_articulation::core

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/planes/duplicate_merger.h"
 #include "cabinet_articulation/planes/hole_filling.h"
+#include "cabinet_articulation/planes/mask_pool.h"
 #include "cabinet_articulation/planes/metric_consensus.h"
 #include "cabinet_articulation/planes/photometric_refinement.h"
 #include "cabinet_articulation/planes/plane_consensus.h"
@@ -66,7 +67,13 @@ void requireSameSizes(const DepthFrame& frame) {
 
 struct PlaneSegmenter::Buffers {
   explicit Buffers(const PlanesConfig& config)
-      : metric_consensus(config), consensus(config), growing(config), merger(config), competition(config), refinement(config) {}
+      : metric_consensus(config),
+        consensus(config),
+        growing(config),
+        merger(config),
+        competition(config),
+        refinement(config),
+        masks(config.max_regions) {}
   cv::Mat1f disparity;  ///< without holes
   MetricConsensus metric_consensus;
   PlaneConsensus consensus;
@@ -74,6 +81,7 @@ struct PlaneSegmenter::Buffers {
   DuplicateMerger merger;
   RegionCompetition competition;
   PhotometricRefinement refinement;
+  MaskPool masks;
 };
 
 PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), buffers_(new Buffers(config)) {}
@@ -106,8 +114,9 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   for (const GrownRegion& grown : set.regions) {
     const auto plane = toPlane(grown.plane, frame.camera);
     if (!plane) continue;
-    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set),
-                       labelByNoise(disparity, grown.plane, tolerance, limit)});
+    cv::Mat1b mask = b.masks.take(disparity.size());
+    labelByNoise(disparity, grown.plane, tolerance, limit, &mask);
+    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set), mask});
   }
   return regions;
 }
@@ -117,7 +126,8 @@ std::vector<PlaneRegion> PlaneSegmenter::wholePlanes(const DepthFrame& frame) co
   for (const Plane& plane : buffers_->metric_consensus.process(frame)) {
     const auto image = toDisparityPlane(plane, frame.camera);
     if (!image) continue;
-    const cv::Mat1b mask = labelByDistance(frame, plane, config_.plane_distance);
+    cv::Mat1b mask = buffers_->masks.take(frame.disparity.size());
+    labelByDistance(frame, plane, config_.plane_distance, &mask);
     regions.push_back({plane, *image, cv::countNonZero(mask == kInPlane), hullOfInPlane(mask), mask});
   }
   return regions;

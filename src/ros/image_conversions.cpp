@@ -157,27 +157,18 @@ sensor_msgs::Image toMessage(const cv::Mat1b& image, const std_msgs::Header& hea
   return message;
 }
 
-Plane toMessage(const core::PlaneRegion& region, const std_msgs::Header& header) {
-  Plane message;
-  message.coefficients = {region.plane.normal.x(), region.plane.normal.y(), region.plane.normal.z(), region.plane.offset};
-  message.disparity_plane = {region.disparity_plane.a, region.disparity_plane.b, region.disparity_plane.c};
-  message.inliers = static_cast<std::uint32_t>(std::max(region.inliers, 0));
+void toMessage(const core::PlaneRegion& region, const std_msgs::Header& header, Plane* message) {
+  message->coefficients = {region.plane.normal.x(), region.plane.normal.y(), region.plane.normal.z(), region.plane.offset};
+  message->disparity_plane = {region.disparity_plane.a, region.disparity_plane.b, region.disparity_plane.c};
+  message->inliers = static_cast<std::uint32_t>(std::max(region.inliers, 0));
+  message->hull.clear();
   for (const cv::Point2f& point : region.hull) {
     geometry_msgs::Point32 corner;
     corner.x = point.x;
     corner.y = point.y;
-    message.hull.push_back(corner);
+    message->hull.push_back(corner);
   }
-  fillImage(region.mask, header, encodings::MONO8, &message.mask);
-  return message;
-}
-
-PlaneArray toMessage(const std::vector<core::PlaneRegion>& regions, const std_msgs::Header& header) {
-  PlaneArray message;
-  message.header = header;
-  message.planes.reserve(regions.size());
-  for (const core::PlaneRegion& region : regions) message.planes.push_back(toMessage(region, header));
-  return message;
+  fillImage(region.mask, header, encodings::MONO8, &message->mask);
 }
 
 core::PlaneRegion fromMessage(const Plane& message) {

@@ -15,7 +15,8 @@ const DisparityTolerance kTolerance(kCamera, 0.8, 0.008, 2);
 
 int labelOf(float disparity, const DisparityPlane& plane, float limit = 1e6F) {
   const cv::Mat1f image(4, 64, disparity), limits(4, 64, limit);
-  const cv::Mat1b mask = labelByNoise(image, plane, kTolerance, limits);
+  cv::Mat1b mask;
+  labelByNoise(image, plane, kTolerance, limits, &mask);
   EXPECT_EQ(cv::countNonZero(mask != mask(0, 0)), 0) << "the same in every column";
   return mask(0, 0);
 }
@@ -54,7 +55,8 @@ TEST(PlaneMask, FollowsSlantedPlanesOverRowsAndColumns) {
   cv::Mat1f disparity(4, 64);
   for (int v = 0; v < 4; ++v)
     for (int u = 0; u < 64; ++u) disparity(v, u) = static_cast<float>(plane.at(u, v) + (u == v ? 1 : 0));
-  const cv::Mat1b mask = labelByNoise(disparity, plane, kTolerance, cv::Mat1f(4, 64, 1e6F));
+  cv::Mat1b mask;
+  labelByNoise(disparity, plane, kTolerance, cv::Mat1f(4, 64, 1e6F), &mask);
   EXPECT_EQ(cv::countNonZero(mask == kInPlane), 4 * 63);
   EXPECT_EQ(mask(3, 3), kOccluded);
 }
@@ -70,7 +72,8 @@ TEST(PlaneMask, DistancesAreMeasuredAlongTheNormal) {
       const Plane shifted{plane.normal, plane.offset - distances[v]};
       frame.disparity(v, u) = static_cast<float>(kCamera.disparity(shifted.intersect(kCamera.ray(u, v))->z()));
     }
-  const cv::Mat1b mask = labelByDistance(frame, plane, 0.02);
+  cv::Mat1b mask;
+  labelByDistance(frame, plane, 0.02, &mask);
   const int expected[] = {kFree, kInPlane, kInPlane, kOccluded};
   for (int v = 0; v < 4; ++v) EXPECT_EQ(cv::countNonZero(mask.row(v) == expected[v]), 64) << v;
 }
@@ -79,7 +82,9 @@ TEST(PlaneMask, APlaneThroughTheCameraShowsNothing) {
   DepthFrame frame;
   frame.camera = kCamera;
   frame.disparity = cv::Mat1f(4, 64, 30.0F);
-  EXPECT_EQ(cv::countNonZero(labelByDistance(frame, {Eigen::Vector3d::UnitX(), 0}, 0.02) != kUnknown), 0);
+  cv::Mat1b mask;
+  labelByDistance(frame, {Eigen::Vector3d::UnitX(), 0}, 0.02, &mask);
+  EXPECT_EQ(cv::countNonZero(mask != kUnknown), 0);
 }
 
 }  // namespace

@@ -14,18 +14,12 @@ namespace {
 using test::cameraInfo;
 using test::disparityImage;
 using test::errorOf;
+using test::exampleHeader;
 using test::greyImage;
 using test::smallCamera;
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 const float kInf = std::numeric_limits<float>::infinity();
-
-std_msgs::Header exampleHeader() {
-  std_msgs::Header header;
-  header.frame_id = "camera";
-  header.stamp = ros::Time(5, 6);
-  return header;
-}
 
 std::string pairError(const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right) {
   return errorOf([&] { toStereoCamera(left, right, "/stereo/left/camera_info", "/stereo/right/camera_info"); });
@@ -166,47 +160,6 @@ TEST(DisparityConversion, FrameComesBackFromItsMessage) {
   EXPECT_EQ(message.max_disparity, 63);
   const cv::Mat1f back = toDisparities(message, "d", smallCamera());
   EXPECT_EQ(cv::countNonZero(back != frame.disparity), 0);
-}
-
-TEST(PlaneConversion, MaskIsAViewAndEveryFieldComesBack) {
-  core::PlaneRegion region;
-  region.plane = {Eigen::Vector3d(0.6, 0, -0.8), 1.25};
-  region.disparity_plane = {0.1, 0.2, 30};
-  region.inliers = 55;
-  region.hull = {{1, 2}, {30.5F, 2}, {10, 20}};
-  region.mask = cv::Mat1b(240, 320, std::uint8_t{core::kFree});
-  region.mask(3, 4) = core::kInPlane;
-  const PlaneArray message = toMessage(std::vector<core::PlaneRegion>{region}, exampleHeader());
-  EXPECT_EQ(message.planes[0].mask.encoding, "mono8");
-  EXPECT_EQ(message.planes[0].mask.header.stamp, exampleHeader().stamp);
-  const core::PlaneRegion back = fromMessage(message).at(0);
-  EXPECT_EQ(back.mask.data, message.planes[0].mask.data.data());
-  EXPECT_EQ(cv::countNonZero(back.mask != region.mask), 0);
-  EXPECT_EQ(back.plane.normal, region.plane.normal);
-  EXPECT_EQ(back.plane.offset, region.plane.offset);
-  EXPECT_EQ(back.disparity_plane.a, 0.1);
-  EXPECT_EQ(back.disparity_plane.b, 0.2);
-  EXPECT_EQ(back.disparity_plane.c, 30);
-  EXPECT_EQ(back.inliers, 55);
-  EXPECT_EQ(back.hull, region.hull);
-}
-
-TEST(PlaneConversion, MaskThatIsPartOfALargerMatrixIsPackedTightly) {
-  cv::Mat1b large(10, 20, std::uint8_t{0});
-  core::PlaneRegion region;
-  region.mask = large(cv::Rect(5, 2, 4, 3));
-  region.mask(1, 1) = core::kInPlane;
-  const Plane message = toMessage(region, exampleHeader());
-  EXPECT_EQ(message.mask.step, 4u);
-  EXPECT_EQ(message.mask.data[1 * 4 + 1], core::kInPlane);
-}
-
-TEST(PlaneConversion, NamesThePlaneWithABrokenMask) {
-  core::PlaneRegion region;
-  region.mask = cv::Mat1b(24, 32, std::uint8_t{0});
-  PlaneArray message = toMessage(std::vector<core::PlaneRegion>{region, region}, exampleHeader());
-  message.planes[1].mask.data.resize(3);
-  EXPECT_EQ(errorOf([&] { fromMessage(message); }), "planes[1]: mask: holds 3 bytes in rows of 32, too few for 32x24 pixels");
 }
 
 }  // namespace

@@ -31,6 +31,13 @@ inline sensor_msgs::CameraInfo cameraInfo(const core::StereoCamera& camera, bool
   return info;
 }
 
+inline std_msgs::Header exampleHeader() {
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(5, 6);
+  return header;
+}
+
 /// A grey image whose pixels are given by a function of u and v.
 inline sensor_msgs::Image greyImage(int width, int height, const std_msgs::Header& header,
                                     const std::function<std::uint8_t(int, int)>& pixel) {

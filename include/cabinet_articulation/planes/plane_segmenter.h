@@ -10,7 +10,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Paper III-B.1: the planes of a frame and their masks. Buffers are kept between frames; the masks returned are fresh.
+/// Paper III-B.1: the planes of a frame and their masks. Buffers are kept between frames, and so is the memory of the masks
+/// that nobody holds any more.
 class PlaneSegmenter {
  public:
   explicit PlaneSegmenter(const PlanesConfig& config);

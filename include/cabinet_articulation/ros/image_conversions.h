@@ -54,8 +54,8 @@ stereo_msgs::DisparityImage toMessage(const core::DepthFrame& frame, const std_m
 
 sensor_msgs::Image toMessage(const cv::Mat1b& image, const std_msgs::Header& header);
 
-Plane toMessage(const core::PlaneRegion& region, const std_msgs::Header& header);
-PlaneArray toMessage(const std::vector<core::PlaneRegion>& regions, const std_msgs::Header& header);
+/// Uses the memory of the message again.
+void toMessage(const core::PlaneRegion& region, const std_msgs::Header& header, Plane* message);
 
 /// The masks of the regions are views of the message's.
 core::PlaneRegion fromMessage(const Plane& message);
