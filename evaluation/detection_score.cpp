@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/geometry/degrees.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMinOpened = 0.03, kMinVisible = 0.5, kMinInImage = 0.98;
-constexpr double kMinIou = 0.8, kMaxOffset = 0.03, kMaxNormal = 6 * kPi / 180;
+constexpr double kMinIou = 0.8, kMaxOffset = 0.03, kMaxNormal = 6 * kDegree;
 
 }  // namespace
 

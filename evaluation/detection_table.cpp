@@ -5,13 +5,13 @@
 #include <map>
 #include <tuple>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "csv_writer.h"
 #include "statistics.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
 constexpr double kBin = 0.3;  // [m] of the table against distance
 
 template <class Value>
@@ -34,9 +34,9 @@ void writeStatistics(CsvWriter* csv, const std::vector<Judged>& rows, const Keys
            static_cast<double>(center.size()) / rows.size(),
            mean(collect(rows, false, [](const Judged& row) { return row.planes; })),
            mean(of([](const Judged& row) { return row.searched; })), mean(center), median(center),
-           mean(of([](const Judged& row) { return kDegrees * row.score.orientation; })),
-           median(of([](const Judged& row) { return kDegrees * row.score.normal; })),
-           median(of([](const Judged& row) { return kDegrees * row.score.in_plane; })),
+           mean(of([](const Judged& row) { return toDegrees(row.score.orientation); })),
+           median(of([](const Judged& row) { return toDegrees(row.score.normal); })),
+           median(of([](const Judged& row) { return toDegrees(row.score.in_plane); })),
            median(of([](const Judged& row) { return std::abs(1e3 * row.score.width); })),
            median(of([](const Judged& row) { return std::abs(1e3 * row.score.height); })),
            median(collect(rows, false, [](const Judged& row) { return row.others; })));
@@ -71,8 +71,8 @@ void writeDetectionTables(const std::vector<Judged>& judged, const std::string& 
   for (const Judged& row : judged) {
     const DetectionScore& score = row.score;
     frames.row(row.source, row.variant, row.front, row.frame, row.distance, row.planes, row.searched, row.others, score.detected,
-               score.iou, 1e3 * score.center, 1e3 * score.offset, kDegrees * score.orientation, kDegrees * score.normal,
-               kDegrees * score.in_plane, 1e3 * score.width, 1e3 * score.height);
+               score.iou, 1e3 * score.center, 1e3 * score.offset, toDegrees(score.orientation), toDegrees(score.normal),
+               toDegrees(score.in_plane), 1e3 * score.width, 1e3 * score.height);
     by_distance[{row.source, row.variant, static_cast<int>(std::floor(row.distance / kBin))}].push_back(row);
     by_front[{row.source, row.front, row.variant}].push_back(row);
   }

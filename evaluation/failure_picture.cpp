@@ -5,11 +5,12 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
+#include "cabinet_articulation/geometry/degrees.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
 constexpr int kScale = 2;
-constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 void drawRectangle(const Rectangle& rectangle, const StereoCamera& camera, const cv::Scalar& color, cv::Mat3b* image) {
   std::vector<cv::Point> outline;
@@ -35,7 +36,7 @@ cv::Mat3b drawFailure(const Frame& frame, const StereoCamera& camera, const Rect
   char text[160] = "nothing overlaps the front";
   if (score.best >= 0)
     std::snprintf(text, sizeof(text), "IoU %.2f  offset %.0f mm  normal %.1f deg  width %+.0f mm  height %+.0f mm", score.iou,
-                  1e3 * score.offset, kDegrees * score.normal, 1e3 * score.width, 1e3 * score.height);
+                  1e3 * score.offset, toDegrees(score.normal), 1e3 * score.width, 1e3 * score.height);
   cv::putText(image, text, {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, {255, 255, 255}, 1, cv::LINE_AA);
   return image;
 }

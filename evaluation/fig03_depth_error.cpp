@@ -9,6 +9,7 @@
 #include "csv_writer.h"
 #include "options.h"
 #include "recorded_sequence.h"
+#include "run_program.h"
 #include "simulated_sources.h"
 
 namespace cabinet_articulation::core::evaluation {
@@ -88,5 +89,6 @@ int run(int argc, char** argv) {
 }  // namespace cabinet_articulation::core::evaluation
 
 int main(int argc, char** argv) {
-  return cabinet_articulation::core::evaluation::runProgram(argc, argv, cabinet_articulation::core::evaluation::run);
+  return cabinet_articulation::runProgram("fig03_depth_error", "",
+                                          [&] { return cabinet_articulation::core::evaluation::run(argc, argv); });
 }

@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/degrees.h"
 #include "csv_writer.h"
 #include "detection_table.h"
 #include "failure_picture.h"
@@ -18,13 +19,13 @@
 #include "options.h"
 #include "parallel.h"
 #include "recorded_sequence.h"
+#include "run_program.h"
 #include "simulated_sources.h"
 #include "variants.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
 constexpr double kCameraMotion = 0.1;  // [m]
 
 /// Frames [first, last) of one source, seen by all variants in order.
@@ -123,11 +124,11 @@ void writeLearned(const Job& job, CsvWriter* csv) {
           job.name, variant, run.movers(), joint.name, modelName(joint.type), learned ? selectedName(learned->model) : "none",
           of([](const LearnedJoint& l) { return l.model.probabilities[static_cast<std::size_t>(l.model.type)]; }),
           of([](const LearnedJoint& l) { return 1e3 * l.right_from.value_or(std::nan("")); }),
-          of([](const LearnedJoint& l) { return kDegrees * l.axis_angle; }),
+          of([](const LearnedJoint& l) { return toDegrees(l.axis_angle); }),
           joint.type == JointType::kRotational ? of([](const LearnedJoint& l) { return 1e3 * l.axis_distance; }) : std::nan(""),
           of([](const LearnedJoint& l) { return 1e3 * l.prediction.position; }),
           of([](const LearnedJoint& l) { return 1e3 * l.prediction.position_max; }),
-          of([](const LearnedJoint& l) { return kDegrees * l.prediction.orientation; }));
+          of([](const LearnedJoint& l) { return toDegrees(l.prediction.orientation); }));
     }
   }
 }
@@ -153,5 +154,6 @@ int run(int argc, char** argv) {
 }  // namespace cabinet_articulation::core::evaluation
 
 int main(int argc, char** argv) {
-  return cabinet_articulation::core::evaluation::runProgram(argc, argv, cabinet_articulation::core::evaluation::run);
+  return cabinet_articulation::runProgram("fig11_detection", "",
+                                          [&] { return cabinet_articulation::core::evaluation::run(argc, argv); });
 }

@@ -10,12 +10,14 @@
 #include <sstream>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/degrees.h"
 #include "csv_writer.h"
 #include "interval_coverage.h"
 #include "learning_curve.h"
 #include "options.h"
 #include "parallel.h"
 #include "recorded_sequence.h"
+#include "run_program.h"
 #include "simulated_sources.h"
 #include "statistics.h"
 #include "track_source.h"
@@ -23,7 +25,6 @@
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
 constexpr double kConfident = 0.95;
 constexpr int kFrames = 100;  // of each sub-sample (paper, IV-B)
 const std::vector<int> kCounts{2, 3, 5, 8, 10, 15, 20, 30, 40, 50, 60, 80, 100};
@@ -109,7 +110,7 @@ void writeCurveSummary(const SourceFacts& facts, int observations, const std::ve
     right.push_back(isRight(point->model, facts));
     confident.push_back(probabilityOfTruth(*point, facts) > kConfident);
     position.push_back(1e3 * point->error.position);
-    orientation.push_back(kDegrees * point->error.orientation);
+    orientation.push_back(toDegrees(point->error.orientation));
     residual.push_back(1e3 * point->model.position_error);
   }
   csv->row(facts.name, trueName(facts), observations, static_cast<int>(points.size()), mean(right), mean(confident),
@@ -130,7 +131,7 @@ void writeCurves(const std::vector<Study>& studies, const Options& options) {
       const LearnedModel& model = point.model;
       by_count[point.observations].push_back(&point);
       runs.row(facts.name, trueName(facts), point.run, point.observations, selectedName(model), model.probabilities,
-               1e3 * point.error.position, facts.has_orientation ? kDegrees * point.error.orientation : std::nan(""),
+               1e3 * point.error.position, facts.has_orientation ? toDegrees(point.error.orientation) : std::nan(""),
                1e3 * model.position_error);
     }
     for (const auto& [count, points] : by_count) writeCurveSummary(facts, count, points, &summary);
@@ -144,7 +145,7 @@ void writeUnseen(const std::vector<Study>& studies, const Options& options) {
     for (const UnseenOpening& unseen : study.unseen) {
       const auto millimetres = [](const auto& error) { return error ? 1e3 * error->position : std::nan(""); };
       const auto degrees = [&](const auto& error) {
-        return error && study.facts.has_orientation ? kDegrees * error->orientation : std::nan("");
+        return error && study.facts.has_orientation ? toDegrees(error->orientation) : std::nan("");
       };
       csv.row(study.facts.name, trueName(study.facts), unseen.share, unseen.selected ? unseen.selected->observations : 0,
               unseen.selected ? selectedName(*unseen.selected) : "none", millimetres(unseen.selected_error),
@@ -207,5 +208,6 @@ int run(int argc, char** argv) {
 }  // namespace cabinet_articulation::core::evaluation
 
 int main(int argc, char** argv) {
-  return cabinet_articulation::core::evaluation::runProgram(argc, argv, cabinet_articulation::core::evaluation::run);
+  return cabinet_articulation::runProgram("fig12_models", "",
+                                          [&] { return cabinet_articulation::core::evaluation::run(argc, argv); });
 }

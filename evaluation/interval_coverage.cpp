@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "learning_curve.h"
 
 namespace cabinet_articulation::core::evaluation {
@@ -45,7 +46,6 @@ class Drift {
 };
 
 Track noisyTrack(const LearnedModel& truth, double q_end, int count, cv::RNG* random) {
-  constexpr double kDegree = CV_PI / 180;
   const double memory = random->uniform(0.7, 0.95);
   const double white = random->uniform(0.001, 0.003), white_turn = random->uniform(0.2, 0.6) * kDegree;
   Drift drift(random->uniform(0.001, 0.004), memory, random), turn(random->uniform(0.3, 1.0) * kDegree, memory, random);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 
 namespace cabinet_articulation::core::evaluation {
@@ -48,15 +47,6 @@ std::vector<std::string> findSequences(const std::string& folder, bool boards) {
   }
   std::sort(found.begin(), found.end());
   return found;
-}
-
-int runProgram(int argc, char** argv, int (*body)(int, char**)) {
-  try {
-    return body(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
 }
 
 }  // namespace cabinet_articulation::core::evaluation

@@ -27,7 +27,4 @@ class Options {
 /// The folders in `folder` (and itself) that hold a truth.json, sorted; `boards` selects those named board*, or all others.
 std::vector<std::string> findSequences(const std::string& folder, bool boards);
 
-/// Runs a program's body; an exception becomes one line on stderr and status 1.
-int runProgram(int argc, char** argv, int (*body)(int, char**));
-
 }  // namespace cabinet_articulation::core::evaluation

@@ -3,6 +3,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 #include "front_truth.h"
 #include "simulated_sources.h"
@@ -13,7 +14,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kWallReflectance = 0.6, kFloorReflectance = 0.35;
 
 /// Wall and floor as a camera at height `eye` sees them.

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/rectangles/edge_support.h"
 #include "cabinet_articulation/rectangles/image_edge.h"
 #include "cabinet_articulation/rectangles/region_order.h"
@@ -25,7 +26,7 @@ std::optional<PlaneRectangle> outlineStart(const PlaneRegion& region, const Plan
   const cv::RotatedRect box = cv::minAreaRect(outline);
   PlaneRectangle start;
   start.center = {box.center.x, box.center.y};
-  start.angle = box.angle * CV_PI / 180;
+  start.angle = box.angle * kDegree;
   start.width = box.size.width;
   start.height = box.size.height;
   return start;

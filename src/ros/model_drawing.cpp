@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/joints/joint.h"
 
 namespace cabinet_articulation {
@@ -35,7 +36,7 @@ std::string labelOf(const core::LearnedModel& model) {
   } else if (!isJoint(model)) {
     std::snprintf(text, sizeof(text), "%u moved, no joint fits", model.id);
   } else {
-    const double scale = turns(model) ? 180 / M_PI : 100;
+    const double scale = turns(model) ? core::toDegrees(1) : 100;
     const auto index = static_cast<size_t>(model.type);
     const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
     std::snprintf(text, sizeof(text), "%u %s %.0f %%, %.0f %s (%.0f to %.0f)", model.id, core::modelName(model.type),

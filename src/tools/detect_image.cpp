@@ -10,6 +10,7 @@
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/ros/overlay.h"
+#include "run_program.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -137,17 +138,12 @@ void run(const Options& options) {
 }  // namespace cabinet_articulation
 
 int main(int argc, char** argv) {
-  try {
-    const auto options = cabinet_articulation::parseOptions(argc, argv);
-    if (options)
-      cabinet_articulation::run(*options);
+  using namespace cabinet_articulation;
+  return runProgram("detect_image", kUsage, [&] {
+    if (const auto options = parseOptions(argc, argv))
+      run(*options);
     else
-      std::printf("%s", cabinet_articulation::kUsage);
+      std::printf("%s", kUsage);
     return 0;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "detect_image: %s\n%s", error.what(), cabinet_articulation::kUsage);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "detect_image: %s\n", error.what());
-  }
-  return 1;
+  });
 }

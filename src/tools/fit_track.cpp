@@ -9,6 +9,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/degrees.h"
 #include "pose_log.h"
 
 namespace cabinet_articulation::core {
@@ -73,7 +74,7 @@ void printModel(const std::string& file, const LearnedModel& model, double milli
   if (is_joint && model.radius > 0) radius = std::to_string(farRadius(model));
   std::printf("%s,%s,%.6f,%.6f,%.6f,%s,%.6f,%.6f,%.4f,%.3f\n", file.c_str(), type, model.probabilities[0], model.probabilities[1],
               model.probabilities[2], radius.c_str(), model.q_max - model.q_min, model.position_error,
-              model.orientation_error * 180 / M_PI, milliseconds);
+              toDegrees(model.orientation_error), milliseconds);
 }
 
 void fitFile(const std::string& file, ArticulationConfig config) {

@@ -12,6 +12,7 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "rectifier.h"
 #include "result_bag.h"
+#include "run_program.h"
 #include "run_summary.h"
 #include "stereo_bag.h"
 
@@ -162,15 +163,11 @@ int run(const Options& options) {
 }  // namespace cabinet_articulation
 
 int main(int argc, char** argv) {
-  try {
-    const auto options = cabinet_articulation::parseOptions(argc, argv);
-    if (options) return cabinet_articulation::run(*options);
-    std::printf("%s", cabinet_articulation::kUsage);
+  using namespace cabinet_articulation;
+  return runProgram("process_bag", kUsage, [&] {
+    const auto options = parseOptions(argc, argv);
+    if (options) return run(*options);
+    std::printf("%s", kUsage);
     return 0;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "process_bag: %s\n%s", error.what(), cabinet_articulation::kUsage);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "process_bag: %s\n", error.what());
-  }
-  return 1;
+  });
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/degrees.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -21,7 +22,6 @@ std::string format(const char* pattern, Arguments... arguments) {
 std::string vectorText(const Eigen::Vector3d& v) { return format("(%.3f %.3f %.3f)", v.x(), v.y(), v.z()); }
 
 std::string modelText(const core::LearnedModel& model) {
-  constexpr double kDegrees = 180 / M_PI;
   const core::ModelEntry& entry = core::modelEntry(model.type);
   std::string text = format("object %u: %s, %.3f x %.3f m, %d observations\n  probabilities", model.id,
                             model.explained ? entry.name : "none of these", model.width, model.height, model.observations);
@@ -29,10 +29,11 @@ std::string modelText(const core::LearnedModel& model) {
   if (model.type != core::JointType::kRigid) text += "\n  axis " + vectorText(model.axis);
   if (entry.unit == core::ConfigurationUnit::kRadian)
     text += " through " + vectorText(model.axis_point) +
-            format(", radius %.3f m, opening %.1f to %.1f deg", model.radius, kDegrees * model.q_min, kDegrees * model.q_max);
+            format(", radius %.3f m, opening %.1f to %.1f deg", model.radius, core::toDegrees(model.q_min),
+                   core::toDegrees(model.q_max));
   else if (model.type != core::JointType::kRigid)
     text += format(", opening %.3f to %.3f m", model.q_min, model.q_max);
-  return text + format("\n  residuals %.1f mm, %.2f deg\n", 1e3 * model.position_error, kDegrees * model.orientation_error);
+  return text + format("\n  residuals %.1f mm, %.2f deg\n", 1e3 * model.position_error, core::toDegrees(model.orientation_error));
 }
 
 }  // namespace

@@ -11,9 +11,12 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/parameters.h"
 #include "pose_log.h"
+#include "run_program.h"
 
 namespace cabinet_articulation {
 namespace {
+
+constexpr char kUsage[] = "usage: track_publisher FILE... [_rate:=HZ] [_loop:=true] [_frame_id:=FRAME] [tracks:=TOPIC]\n";
 
 struct Settings {
   double rate = 5;
@@ -60,31 +63,26 @@ void play(std::vector<core::Track> logs, const Settings& settings) {
   } while (settings.loop && ros::ok());
 }
 
-int run(int argc, char** argv) {
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: track_publisher FILE... [_rate:=HZ] [_loop:=true] [_frame_id:=FRAME] [tracks:=TOPIC]\n");
-    return 2;
+std::vector<core::Track> readLogs(int count, char** files) {
+  std::vector<core::Track> logs;
+  for (int i = 0; i < count; ++i) {
+    logs.push_back(core::readPoseLog(files[i]).track);
+    logs.back().id = static_cast<std::uint32_t>(i);
   }
-  try {
-    Settings settings;
-    for (const std::string& warning : loadParameters(ros::NodeHandle("~"), settings)) ROS_WARN("%s", warning.c_str());
-    std::vector<core::Track> logs;
-    for (int i = 1; i < argc; ++i) {
-      logs.push_back(core::readPoseLog(argv[i]).track);
-      logs.back().id = static_cast<std::uint32_t>(i - 1);
-    }
-    play(logs, settings);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "track_publisher: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return logs;
 }
 
 }  // namespace
 }  // namespace cabinet_articulation
 
 int main(int argc, char** argv) {
+  using namespace cabinet_articulation;
   ros::init(argc, argv, "track_publisher");
-  return cabinet_articulation::run(argc, argv);
+  return runProgram("track_publisher", kUsage, [&] {
+    if (argc < 2) throw std::invalid_argument("at least one file is expected");
+    Settings settings;
+    for (const std::string& warning : loadParameters(ros::NodeHandle("~"), settings)) ROS_WARN("%s", warning.c_str());
+    play(readLogs(argc - 1, argv + 1), settings);
+    return 0;
+  });
 }

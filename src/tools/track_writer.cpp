@@ -12,9 +12,12 @@
 
 #include "cabinet_articulation/ros/conversions.h"
 #include "pose_log.h"
+#include "run_program.h"
 
 namespace cabinet_articulation {
 namespace {
+
+constexpr char kUsage[] = "usage: track_writer IN.bag FOLDER\n";
 
 std::map<std::uint32_t, Track> lastTracks(const std::string& path) {
   const rosbag::Bag bag(path, rosbag::bagmode::Read);
@@ -27,29 +30,25 @@ std::map<std::uint32_t, Track> lastTracks(const std::string& path) {
   return tracks;
 }
 
-int run(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: track_writer IN.bag FOLDER\n");
-    return 2;
+void write(const std::string& bag, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const auto& [id, track] : lastTracks(bag)) {
+    const std::filesystem::path path = folder / ("track_" + std::to_string(id) + ".log");
+    std::ofstream out(path);
+    core::writePoseLog(fromMessage(track), out);
+    if (!out.flush()) throw std::runtime_error(path.string() + " cannot be written");
+    std::printf("%s: %zu poses\n", path.c_str(), track.poses.size());
   }
-  try {
-    const std::filesystem::path folder = argv[2];
-    std::filesystem::create_directories(folder);
-    for (const auto& [id, track] : lastTracks(argv[1])) {
-      const std::filesystem::path path = folder / ("track_" + std::to_string(id) + ".log");
-      std::ofstream out(path);
-      core::writePoseLog(fromMessage(track), out);
-      if (!out.flush()) throw std::runtime_error(path.string() + " cannot be written");
-      std::printf("%s: %zu poses\n", path.c_str(), track.poses.size());
-    }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "track_writer: %s\n", error.what());
-    return 1;
-  }
-  return 0;
 }
 
 }  // namespace
 }  // namespace cabinet_articulation
 
-int main(int argc, char** argv) { return cabinet_articulation::run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace cabinet_articulation;
+  return runProgram("track_writer", kUsage, [&] {
+    if (argc != 3) throw std::invalid_argument("two arguments are expected");
+    write(argv[1], argv[2]);
+    return 0;
+  });
+}

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 
@@ -16,7 +17,6 @@ namespace cabinet_articulation {
 namespace {
 
 constexpr double kMillimetres = 1e3;
-constexpr double kDegrees = 180 / M_PI;
 constexpr double kFoundWithin = 50;  ///< [mm] farther off in the mean, a model describes something else
 
 const char* nameOf(int type) {
@@ -75,7 +75,7 @@ JointComparison TruthComparison::compareJoint(const History& truth, const Articu
     result.prediction_max = std::max(result.prediction_max, distance);
   }
   const Eigen::Vector3d true_axis = fromMessage(truth.last.axis).normalized();
-  result.axis_degrees = kDegrees * std::acos(std::min(1.0, std::abs(true_axis.dot(learned.axis))));
+  result.axis_degrees = core::toDegrees(std::acos(std::min(1.0, std::abs(true_axis.dot(learned.axis)))));
   if (truth.last.type == ArticulationModel::ROTATIONAL) {
     const Eigen::Vector3d offset = learned.axis_point - fromMessage(truth.last.axis_point);
     result.axis_millimetres = kMillimetres * (offset - true_axis.dot(offset) * true_axis).norm();
@@ -120,7 +120,7 @@ std::string format(const SceneComparison& comparison) {
       continue;
     }
     const bool turns = joint.true_type == ArticulationModel::ROTATIONAL;
-    const double scale = turns ? kDegrees : kMillimetres;
+    const double scale = turns ? core::toDegrees(1) : kMillimetres;
     text += line("%-16s %-11s %4u %-11s %6.3f %9.2f %9s %7.1f (%5.1f) %5.0f of %4.0f %s %6s\n", joint.name.c_str(),
                  nameOf(joint.true_type), joint.model.id, nameOf(joint.model.type), joint.probability, joint.axis_degrees,
                  turns ? line("%.1f", joint.axis_millimetres).c_str() : "-", joint.prediction_mean, joint.prediction_max,

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "cabinet_articulation/geometry/degrees.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 class DetectionScoreTest : public testing::Test {
  protected:

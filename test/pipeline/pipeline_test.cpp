@@ -10,12 +10,11 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 
 namespace cabinet_articulation::core {
 namespace {
-
-constexpr double kDegree = M_PI / 180;
 
 SimulationConfig doorAt(double rate) {
   SimulationConfig config;

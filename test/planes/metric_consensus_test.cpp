@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "stereo/synthetic_pair.h"
 
 namespace cabinet_articulation::core {
@@ -31,7 +32,7 @@ TEST(MetricConsensus, FindsLargePlanes) {
         offset = plane.offset;
       }
     // 0.1 px is 6 mm at 1.9 m; thousands of points average it away, but the rim of d = 2 cm cuts into the neighbour.
-    EXPECT_GT(best, std::cos(0.5 * M_PI / 180));
+    EXPECT_GT(best, std::cos(0.5 * kDegree));
     EXPECT_NEAR(offset, truth.offset, 0.01);
   }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "stereo/synthetic_pair.h"
 
@@ -32,7 +33,7 @@ DepthFrame exactFrame() {
 DepthFrame stereoFrame() { return BlockMatcher(StereoConfig()).process(pair().left, pair().right, testCamera()); }
 
 double normalError(const PlaneRegion& region, const Patch& patch) {
-  return std::acos(std::min(1.0, region.plane.normal.dot(toPlane(patch.plane, testCamera())->normal))) * 180 / M_PI;
+  return toDegrees(std::acos(std::min(1.0, region.plane.normal.dot(toPlane(patch.plane, testCamera())->normal))));
 }
 
 /// The region whose hull holds the middle of the patch and whose plane is nearest there.

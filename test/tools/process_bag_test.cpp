@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "cabinet_articulation/geometry/degrees.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {
@@ -107,7 +108,7 @@ TEST_F(ProcessBag, LearnsADoorInTheFixedFrame) {
   for (const ArticulationModel& model : models->models) {
     if (!model.moved) continue;
     ++movers;
-    EXPECT_GT(std::abs(model.axis.z), std::cos(3 * M_PI / 180)) << "the hinge is upright in the world";
+    EXPECT_GT(std::abs(model.axis.z), std::cos(3 * core::kDegree)) << "the hinge is upright in the world";
   }
   EXPECT_EQ(movers, 1);
 }
