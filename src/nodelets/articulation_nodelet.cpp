@@ -67,21 +67,22 @@ class ArticulationNodelet : public StageNodelet {
 
   void process(const TrackArray& tracks) {
     const std_msgs::Header& header = tracks.header;
-    if (!file_trouble_.empty()) trouble("models_file", file_trouble_);
+    if (!file_trouble_.empty() && !services_->fileWasGood()) trouble("models_file", file_trouble_);
     runStage(header, [&] {
       std::lock_guard<std::mutex> lock(services_->learning());
       if (services_->isOutdated(tracks)) return;
+      const std::string other_frame = services_->followFrame(header.frame_id);
+      if (!other_frame.empty()) trouble("frame", other_frame);
       if (clock_jump_(header.stamp)) {
-        NODELET_WARN("%s: time jumped back; all models are forgotten", getName().c_str());
-        learner_->reset();
-        services_->clear();
+        NODELET_WARN("%s: time jumped back; joints stay known, all else is forgotten", getName().c_str());
+        services_->startAfresh();
         last_transforms_ = ros::Time();
       }
       std::vector<core::Track> fronts = fromMessage(tracks);
       const std::vector<core::LearnedModel> models = learner_->process(fronts);
       health().note("models", static_cast<double>(models.size()));
       health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
-      services_->update(header, std::move(fronts), models);
+      services_->update(std::move(fronts), models);
       sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
       if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
       broadcast(models, header);

@@ -90,28 +90,24 @@ bool ModelServices::isOutdated(const TrackArray& tracks) const {
   return tracker_listens && generation_ != 0 && tracks.generation != generation_;
 }
 
-void ModelServices::update(const std_msgs::Header& header, std::vector<core::Track> tracks,
-                           const std::vector<core::LearnedModel>& models) {
+std::string ModelServices::followFrame(const std::string& frame_id) {
   std::lock_guard<std::mutex> lock(mutex_);
-  const std::string loaded_frame = loaded_.fronts.empty() ? header.frame_id : loaded_.frame;
-  frame_id_ = header.frame_id;
-  if (loaded_frame != header.frame_id) {
-    loaded_ = {};
-    known_.replace({});
-    throw std::runtime_error("the models that were loaded are in the frame '" + loaded_frame + "' and tracks in '" +
-                             header.frame_id + "', so they are forgotten; see fixed_frame");
-  }
+  const std::string before = frame_id_;
+  frame_id_ = frame_id;
+  if (before.empty() || before == frame_id) return "";
+  restart({frame_id, {}});
+  return "what was known is in the frame '" + before + "' and tracks are in '" + frame_id +
+         "', so it is forgotten; see fixed_frame";
+}
+
+void ModelServices::update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models) {
+  std::lock_guard<std::mutex> lock(mutex_);
   known_.update(std::move(tracks), models);
 }
 
 void ModelServices::setConfig(const core::ArticulationConfig& config) {
   std::lock_guard<std::mutex> lock(mutex_);
   config_ = config;
-}
-
-void ModelServices::clear() {
-  std::lock_guard<std::mutex> lock(mutex_);
-  known_.replace(loaded_.fronts);
 }
 
 core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* header) const {
@@ -203,11 +199,12 @@ std::string ModelServices::save(const std::string& path) {
     models = {frame_id_, known_.joints()};
   }
   core::writeModelFile(path, models);
+  file_was_good_ = true;
   return std::to_string(models.fronts.size()) + " fronts saved to '" + path + "'";
 }
 
 std::string ModelServices::load(const std::string& path) {
-  core::ModelFile models = core::readModelFile(path);
+  const core::ModelFile models = core::readModelFile(path);
   {
     std::lock_guard<std::mutex> lock(mutex_);
     if (!frame_id_.empty() && models.frame != frame_id_ && !models.fronts.empty())
@@ -215,23 +212,32 @@ std::string ModelServices::load(const std::string& path) {
                                  frame_id_ + "'; nothing is loaded");
   }
   const std::string text = std::to_string(models.fronts.size()) + " fronts loaded from '" + path + "'";
-  startFrom(std::move(models));
+  startFrom(models);
+  file_was_good_ = true;
   return text;
 }
 
-void ModelServices::startFrom(core::ModelFile models) {
+void ModelServices::startFrom(const core::ModelFile& models) {
   std::lock_guard<std::mutex> learning(learning_);
-  on_reset_();
   std::lock_guard<std::mutex> lock(mutex_);
+  restart(models);
+}
+
+void ModelServices::startAfresh() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  restart({frame_id_, known_.joints()});
+}
+
+void ModelServices::restart(const core::ModelFile& models) {
+  on_reset_();
   known_.replace(models.fronts);
-  loaded_ = std::move(models);
-  if (!loaded_.fronts.empty()) frame_id_ = loaded_.frame;
+  if (!models.fronts.empty()) frame_id_ = models.frame;
   KnownFrontArray message;
   message.header.frame_id = frame_id_;
   // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.
   generation_ = std::max(generation_ + 1, ros::WallTime::now().sec);
   message.generation = generation_;
-  for (const core::KnownFront& front : loaded_.fronts) message.tracks.push_back(toMessage(front.track, loaded_.frame));
+  for (const core::KnownFront& front : models.fronts) message.tracks.push_back(toMessage(front.track, models.frame));
   known_fronts_.publish(message);
 }
 

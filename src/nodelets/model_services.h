@@ -12,6 +12,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -39,6 +40,9 @@ class ModelServices {
   /// Loads models_file if there is one. Says how it went; throws ModelFileError.
   std::string loadAtStart();
 
+  /// True once a file was loaded or saved, so that an earlier error is none any more.
+  bool fileWasGood() const { return file_was_good_; }
+
   /// Ends the services (waiting for calls that are running), and saves if asked to. Says how it went; throws ModelFileError.
   std::string finish();
 
@@ -48,14 +52,18 @@ class ModelServices {
   /// True for tracks of a tracker that does not know of the last reset yet.
   bool isOutdated(const TrackArray& tracks) const;
 
-  /// What one frame gave. Throws std::runtime_error, once, if its frame is not that of the models that were loaded.
-  void update(const std_msgs::Header& header, std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models);
+  /// The frame of the tracks that come now. Forgets what was known in another frame, and says so; else empty.
+  std::string followFrame(const std::string& frame_id);
+
+  /// What one frame gave.
+  void update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models);
 
   /// For fit_track.
   void setConfig(const core::ArticulationConfig& config);
 
-  /// Forgets everything but what was loaded from a file.
-  void clear();
+  /// Time was set back: joints stay known, as if they had been saved and loaded again; all else is forgotten. To be called
+  /// with learning() held.
+  void startAfresh();
 
  private:
   template <class Service>
@@ -74,19 +82,20 @@ class ModelServices {
   std::string fileOr(const std::string& requested) const;
   std::string save(const std::string& path);
   std::string load(const std::string& path);
-  void startFrom(core::ModelFile models);
+  void startFrom(const core::ModelFile& models);
+  void restart(const core::ModelFile& models);
 
   ros::NodeHandle nh_;
   const ModelFileConfig file_;
   const std::function<void()> on_reset_;
 
   std::mutex learning_;
-  mutable std::mutex mutex_;  ///< guards the five below; never held while learning_ is waited for
+  mutable std::mutex mutex_;  ///< guards the four below; never held while learning_ is waited for
   core::ArticulationConfig config_;
   core::KnownFronts known_;
-  core::ModelFile loaded_;
   std::string frame_id_;  ///< of the models
   std::uint32_t generation_ = 0;
+  std::atomic<bool> file_was_good_{false};
 
   ros::Publisher known_fronts_;
   std::vector<ros::ServiceServer> servers_;

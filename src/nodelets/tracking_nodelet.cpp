@@ -61,6 +61,12 @@ class TrackingNodelet : public StageNodelet {
         NODELET_WARN("%s: time jumped back; all tracks are forgotten", getName().c_str());
         startAfresh(header);
       }
+      if (header.frame_id != frame_id_) {
+        if (!frame_id_.empty())
+          trouble("frame", "the frame changed from '" + frame_id_ + "' to '" + header.frame_id + "'; all tracks are forgotten");
+        frame_id_ = header.frame_id;
+        startAfresh(header);
+      }
       newest_ = header.stamp.toSec();
       takeOverKnownFronts(header);
       const Eigen::Isometry3d T_fixed_camera =
@@ -118,6 +124,7 @@ class TrackingNodelet : public StageNodelet {
   std::mutex known_mutex_;
   KnownFrontArrayConstPtr new_known_;  ///< not taken over yet
   KnownFrontArrayConstPtr known_;
+  std::string frame_id_;          ///< of the tracks
   double newest_ = 0;             ///< [s] stamp of the newest frame
   std::uint32_t generation_ = 0;  ///< of the known fronts the tracker started from
   ros::Publisher tracks_, expected_;

@@ -144,6 +144,13 @@ TEST_F(ModelFile, ThatIsDamagedIsRefusedAndLeftAlone) {
   for (core::Track& track : tracks_) track.observations.clear();
   ASSERT_TRUE(play(300)) << "works without";
   EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("articulation", "kitchen.yaml"); })) << reports_.status("articulation");
+  fs::remove(path_);
+  ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
+  double stamp = 400;
+  EXPECT_TRUE(spinUntil([&] {
+    publish(stamp += 0.1);
+    return !reports_.statusHas("articulation", "kitchen.yaml");
+  })) << "a trouble that is over is no longer told";
 }
 
 TEST_F(ModelFile, CanBeChosenAndMustFitTheFrame) {

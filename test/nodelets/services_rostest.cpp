@@ -6,6 +6,7 @@
 #include <cabinet_articulation/Predict.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
@@ -143,6 +144,38 @@ TEST_F(Services, RefusalsSayWhy) {
   track.track.poses[1].position.x = kNan;
   const auto bad_track = call<FitTrack>("fit_track", track);
   refuses("expected finite numbers", bad_track.success, bad_track.message);
+}
+
+TEST_F(Services, KnowJointsAlsoAfterTheClockWasSetBack) {
+  play(2000);
+  const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
+  ASSERT_TRUE(spinUntil([&] { return known.connected(); }));
+  send(1000);
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); })) << "the tracker hears of the joints, as after a restart";
+  const auto& fronts = known.messages.back()->tracks;
+  const auto is_known = [&](int i) {
+    return std::any_of(fronts.begin(), fronts.end(), [&](const Track& front) { return front.id == tracks_[i].id; });
+  };
+  EXPECT_TRUE(is_known(0) && is_known(1) && !is_known(2)) << "door and drawer, and not the wall";
+  EXPECT_TRUE(predict(tracks_[0].id, {0.5}).success);
+}
+
+TEST_F(Services, ForgetWhatIsInAnotherFrameThanTheTracksNow) {
+  play(3000);
+  ASSERT_TRUE(predict(tracks_[0].id, {0.5}).success);
+  const std::uint32_t door = tracks_[0].id;
+  frame_id_ = "odom";
+  for (core::Track& track : tracks_) {
+    track.id = nextId();
+    track.observations.clear();
+  }
+  test::Reports reports;
+  ASSERT_TRUE(spinUntil([&] { return reports.hears(2); }));
+  ASSERT_TRUE(play(3100));
+  EXPECT_EQ(predict(tracks_[0].id, {0.5}).header.frame_id, "odom");
+  EXPECT_FALSE(predict(door, {0.5}).success);
+  EXPECT_TRUE(spinUntil(
+      [&] { return reports.logged(rosgraph_msgs::Log::WARN, "what was known is in the frame 'map' and tracks are in 'odom'"); }));
 }
 
 TEST_F(Services, ResetForgetsEverythingAndTellsTheTracker) {

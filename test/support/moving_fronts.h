@@ -68,7 +68,7 @@ class MovingFronts : public testing::Test {
   void send(double stamp) {
     std_msgs::Header header;
     header.stamp = ros::Time(stamp);
-    header.frame_id = "map";
+    header.frame_id = frame_id_;
     TrackArray message = toMessage(tracks_, header);
     message.generation = generation_;
     output_.publish(message);
@@ -98,6 +98,7 @@ class MovingFronts : public testing::Test {
   std::mt19937 random_{1};
   std::normal_distribution<double> noise_;
   std::vector<core::Track> tracks_;
+  std::string frame_id_ = "map";
   std::uint32_t generation_ = 0;
   ros::NodeHandle nh_;
   ros::Publisher output_ = nh_.advertise<TrackArray>("tracks", 10);
