@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "cabinet_articulation/tracking/continuation.h"
 #include "cabinet_articulation/tracking/history.h"
@@ -89,6 +90,7 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
   std::vector<DetectedRectangle> usable;
   std::copy_if(rectangles.begin(), rectangles.end(), std::back_inserter(usable), isUsable);
   const std::vector<int> track_of = assignToTracks(usable, live_, stamp, config_);
+  const bool reordered = takeBackYoung(stamp, usable, track_of);
   std::vector<DetectedRectangle> unclaimed;
   for (size_t i = 0; i < usable.size(); ++i) {
     if (track_of[i] < 0)
@@ -96,6 +98,7 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
     else
       append(stamp, usable[i], live_.tracks[track_of[i]], live_.memories[track_of[i]]);
   }
+  if (reordered) live_.sort();
   takeBack(stamp, &unclaimed);
   startTracks(stamp, std::move(unclaimed));
   return live_.tracks;
@@ -165,6 +168,25 @@ bool RectangleTracker::isSeenAlready(double stamp, const Rectangle& rectangle) c
     const TrackedObservation& newest = track.observations.back();
     return newest.stamp == stamp && isDuplicate(newest.rectangle, rectangle);
   });
+}
+
+bool RectangleTracker::takeBackYoung(double stamp, const std::vector<DetectedRectangle>& rectangles,
+                                     const std::vector<int>& track_of) {
+  std::vector<DetectedRectangle> young;
+  std::vector<int> young_track;
+  for (size_t i = 0; i < rectangles.size(); ++i) {
+    if (track_of[i] < 0 || isConfirmed(live_.tracks[track_of[i]], config_)) continue;
+    young.push_back(rectangles[i]);
+    young_track.push_back(track_of[i]);
+  }
+  bool any = false;
+  auto taken = ended_.takeBack(young, stamp);
+  for (size_t i = 0; i < taken.size(); ++i) {
+    if (!taken[i]) continue;
+    std::tie(live_.tracks[young_track[i]], live_.memories[young_track[i]]) = std::move(*taken[i]);
+    any = true;
+  }
+  return any;
 }
 
 void RectangleTracker::takeBack(double stamp, std::vector<DetectedRectangle>* unclaimed) {

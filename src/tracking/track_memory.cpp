@@ -27,6 +27,12 @@ void RememberedTracks::insert(Track track, TrackMemory memory) {
   tracks.insert(place, std::move(track));
 }
 
+void RememberedTracks::sort() {
+  RememberedTracks sorted;
+  for (size_t i = 0; i < tracks.size(); ++i) sorted.insert(std::move(tracks[i]), std::move(memories[i]));
+  *this = std::move(sorted);
+}
+
 void RememberedTracks::clear() {
   tracks.clear();
   memories.clear();

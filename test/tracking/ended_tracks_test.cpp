@@ -54,6 +54,18 @@ TEST_F(LostDrawer, ItsNeighbourIsAnotherDrawer) { expectNew(pulled(drawer(0.395)
 TEST_F(LostDrawer, AFrontOfAnotherSizeIsAnotherFront) { expectNew(closedFront(0, 0.395, 0.18)); }
 TEST_F(LostDrawer, NoDrawerGoesIntoItsCabinet) { expectNew(pulled(drawer(), -0.1)); }
 
+TEST_F(LostDrawer, ComesBackAfterAFirstGlimpseThatWasTooBadToRecogniseIt) {
+  // Barely open, its lower edge cannot be told from the neighbour's.
+  Rectangle glimpse = pulled(drawer(), 0.01);
+  glimpse.height += 0.036;
+  glimpse.pose.translation() += 0.018 * Eigen::Vector3d::UnitY();
+  expectNew(glimpse);
+  for (int i = 2; i <= 4; ++i) tracker_.process(kLong + i * kFrame, {detect_(pulled(drawer(), 0.01 * i))});
+  ASSERT_EQ(tracker_.tracks().size(), 1u);
+  EXPECT_EQ(tracker_.tracks()[0].id, 0u);
+  EXPECT_EQ(tracker_.tracks()[0].observations.size(), 44u) << "all but the glimpse";
+}
+
 TEST_F(LostDrawer, OnlyOneRectangleGetsTheId) {
   const auto back = detect_(pulled(drawer(), 0.05));
   const auto neighbour = detect_.fromFront(pulled(drawer(0.395), 0.05));

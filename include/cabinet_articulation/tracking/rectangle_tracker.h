@@ -49,6 +49,9 @@ class RectangleTracker {
   void endTracks(double stamp);
   void append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const;
   bool isSeenAlready(double stamp, const Rectangle& rectangle) const;
+  /// Tracks that are not confirmed yet give way to known fronts whose first glimpse was too bad to be recognised. True if
+  /// any did; the order of the tracks is lost then.
+  bool takeBackYoung(double stamp, const std::vector<DetectedRectangle>& rectangles, const std::vector<int>& track_of);
   void takeBack(double stamp, std::vector<DetectedRectangle>* unclaimed);
   void startTracks(double stamp, std::vector<DetectedRectangle> unclaimed);
 

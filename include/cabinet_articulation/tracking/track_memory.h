@@ -23,6 +23,7 @@ struct RememberedTracks {
   std::vector<TrackMemory> memories;  ///< parallel to tracks
 
   void insert(Track track, TrackMemory memory);
+  void sort();
   void clear();
 };
 
