@@ -11,7 +11,7 @@ debian_packages=(
   # compilers and test tools
   g++ make cmake libgtest-dev libgmock-dev python3-nose catkin catkin-lint git ca-certificates
   # ROS 1; the ros-*-msgs packages hold the .msg files that the message generator needs
-  libroscpp-dev rosbash python3-roslaunch python3-rosnode python3-rosservice python3-rosmsg python3-rostopic
+  libroscpp-dev rosbash python3-roslaunch python3-roswtf python3-rosnode python3-rosservice python3-rosmsg python3-rostopic
   librostest-dev python3-rostest libroslib-dev
   libnodelet-dev libnodeletlib-dev libnodeletlib-tools pluginlib-dev
   libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libtf2-msgs-dev tf2-tools
