@@ -19,7 +19,7 @@ constexpr std::size_t kFew = 12;
 }  // namespace
 
 bool ArcModel::fit(const PoseTrack& track) {
-  if (track.size() < (shape_ == PathShape::kLine ? 2u : 3u)) return false;
+  if (track.size() < (shape_ == PathShape::kLine || track.has_orientation ? 2u : 3u)) return false;
   const PoseSamples samples(track);
   const bool known = fitted_to_ >= kFew && with_orientation_ == track.has_orientation;
   with_orientation_ = track.has_orientation;

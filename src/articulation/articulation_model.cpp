@@ -101,15 +101,15 @@ ModelResiduals ArticulationModel::residuals(const PoseTrack& track) const {
   return residuals;
 }
 
-double ArticulationModel::logLikelihood(const PoseTrack& track, const ModelResiduals& residuals) const {
+double ArticulationModel::logLikelihood(const PoseTrack& track, const ModelResiduals& residuals, double caution) const {
   const double spread = std::sqrt(2 * M_PI) * config_.sigma_position;  // of one direction's noise
+  const double sigma_orientation = caution * config_.sigma_orientation;
   std::vector<double> costs;
   double sum = 0;
   for (std::size_t i = 0; i < residuals.q.size(); ++i) {
     // Eq. (9), with the factor 1/2 of a Gaussian and a sigma each for position and orientation.
     double cost = residuals.position[i].squaredNorm() / (2 * config_.sigma_position * config_.sigma_position);
-    if (track.has_orientation)
-      cost += residuals.orientation[i].squaredNorm() / (2 * config_.sigma_orientation * config_.sigma_orientation);
+    if (track.has_orientation) cost += residuals.orientation[i].squaredNorm() / (2 * sigma_orientation * sigma_orientation);
     costs.push_back(std::min(cost, kGrossError));
     // Eq. (6): the integral over q of a density 1 / path takes the noise along the path out and puts 1 / path in.
     if (moves()) sum -= std::log(std::max(1.0, residuals.path * observedAlongPath(*this, track, i, residuals.q[i]) / spread));

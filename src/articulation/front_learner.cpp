@@ -6,14 +6,16 @@
 #include <limits>
 
 #include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/articulation/motion_test.h"
-#include "cabinet_articulation/articulation/range_ends.h"
+#include "cabinet_articulation/articulation/motion_criterion.h"
+#include "model_description.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 /// Poses by which moving models are compared where that is clear: runs of a long track tell as much of its noise as all.
 constexpr std::size_t kRunPoses = 160;
+
+constexpr std::size_t kFewPoses = 6;
 
 /// [nats] Between the evidence of moving models.
 constexpr double kClear = 25;
@@ -52,9 +54,11 @@ const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
   return best;
 }
 
-/// A hinge lies in the front's plane or close to it. Planes that touch a bottle or an arm here and there turn about an axis
-/// that lies behind them; what hands leave to see of a plane turns within it.
-bool isNoHinge(const Candidate& candidate, const Eigen::Isometry3d& T_reference_center) {
+/// A hinge lies in the front's plane or close to it, and no farther from the front's centre than its edges. Planes that touch
+/// a bottle or an arm here and there turn about an axis that lies behind them; what hands leave to see of a plane turns within
+/// it. Small turns leave it uncertain where their axis is.
+bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isometry3d& T_reference_center, double sigma_edge) {
+  constexpr double kExtents = 0.75;  // half of the diagonal of a square, and some
   const JointGeometry geometry = candidate.model->geometry();
   if (geometry.radius == 0) return false;
   const Eigen::Isometry3d center = candidate.model->predict(0) * T_reference_center;
@@ -62,7 +66,9 @@ bool isNoHinge(const Candidate& candidate, const Eigen::Isometry3d& T_reference_
   to_axis -= geometry.axis * geometry.axis.dot(to_axis);
   const double across = std::abs(center.linear().col(2).dot(to_axis));
   const double upright = center.linear().col(2).dot(geometry.axis);
-  return across * across > 0.5 * to_axis.squaredNorm() || upright * upright > 0.5;
+  const double unsure = sigma_edge / std::max(candidate.residuals.q_max - candidate.residuals.q_min, 1e-6);
+  return to_axis.norm() > kExtents * std::max(front.width, front.height) + unsure ||
+         across > std::sqrt(0.5) * to_axis.norm() + unsure || upright * upright > 0.5;
 }
 
 }  // namespace
@@ -95,14 +101,14 @@ void FrontLearner::fitModels(const PoseTrack& track, bool parametric) {
       candidates_.push_back(evaluateCandidate(model.get(), track, config_));
 }
 
-void FrontLearner::compareMotions(const MotionTest& test) {
+void FrontLearner::compareMotions(const MotionCriterion& criterion) {
   // What was clear stays clear until a good deal more is known.
   const bool known = compared_at_ > 0 && evidences_.size() == candidates_.size() && 10 * observations_.size() < 11 * compared_at_;
   if (!known || !isClear()) {
     const double limit = 3 * config_.sigma_position;
     compareSequences(fromExplained(poses_, candidates_, limit));
     const bool moves = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-      return candidate.model->moves() && test.passes(*candidate.model, candidate.residuals, spaced_);
+      return candidate.model->moves() && criterion.passes(*candidate.model, candidate.residuals, spaced_);
     });
     if (moves && !isClear() && poses_.size() < observations_.size()) {
       const auto all = static_cast<std::size_t>(config_.sequence_poses_max);
@@ -119,7 +125,9 @@ void FrontLearner::compareSequences(const PoseTrack& track) {
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     ArticulationModel& model = *candidates_[i].model;
     if (!model.moves()) continue;
-    const double likelihood = model.sequenceLogLikelihood(track, rival);
+    // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
+    const bool few = track.size() < kFewPoses && !track.orientation_weights.empty();
+    const double likelihood = few ? 0 : model.sequenceLogLikelihood(track, rival);
     evidences_[i] = likelihood - 0.5 * model.complexity(track.has_orientation) * std::log(static_cast<double>(track.size()));
     rival = std::max(rival.value_or(likelihood), likelihood);
   }
@@ -148,15 +156,16 @@ bool FrontLearner::update(const Track& track) {
   candidates_.clear();
   fitModels(spaced_, true);
   if (candidates_.empty()) return false;
-  MotionTest test(track, poses_, config_);
-  compareMotions(test);
+  const MotionCriterion criterion(track, poses_, config_);
+  compareMotions(criterion);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
-  const Candidate* moving = bestMoving(candidates_);
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
-  if (moving && is_rectangle && isNoHinge(*moving, T_reference_center)) test.refuse();
+  for (Candidate& candidate : candidates_)
+    candidate.plausible = !is_rectangle || !isNoHinge(candidate, front_, T_reference_center, config_.sigma_edge);
+  const Candidate* moving = bestMoving(candidates_);
   if (!moving || moving->outlier_share > config_.outlier_share_max) fitModels(spaced_, false);
-  selection_ = selectModel(&candidates_, spaced_, test, config_);
+  selection_ = selectModel(&candidates_, spaced_, criterion, config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;
 }
@@ -171,61 +180,22 @@ std::vector<LearnedModel> FrontLearner::candidates() const {
 }
 
 LearnedModel FrontLearner::describe(const Candidate& candidate) const {
-  const ArticulationModel& model = *candidate.model;
-  const ModelResiduals& residuals = candidate.residuals;
   LearnedModel learned;
   learned.id = front_.id;
   learned.stamp = poses_.stamps.back();
-  learned.type = model.type();
+  learned.type = candidate.model->type();
   learned.probabilities = selection_.probabilities;
   learned.moved = selection_.moved;
   learned.explained = selection_.explained;
   learned.width = front_.width;
   learned.height = front_.height;
-  learned.origin = model.predict(0);
-  learned.origin.translate(-reference_.offset(front_.width, front_.height));
-  const JointGeometry geometry = model.geometry();
-  learned.axis = geometry.axis;
-  learned.curve = model.curve(residuals.q_min, residuals.q_max);
-  for (Eigen::Isometry3d& pose : learned.curve) pose.translate(-reference_.offset(front_.width, front_.height));
-  if (geometry.radius > 0) {
-    const Eigen::Vector3d away = learned.origin.translation() - geometry.axis_point;
-    learned.axis_point = geometry.axis_point + geometry.axis * geometry.axis.dot(away);
-    learned.radius = (learned.origin.translation() - learned.axis_point).norm();
-  }
-  learned.q = model.configuration(poses_.poses.back());
-  learned.q_min = residuals.q_min;
-  learned.q_max = residuals.q_max;
-  const RangeEnds ends = seenEnds(residuals.q, spaced_.stamps, residuals.q_min, residuals.q_max);
-  learned.q_min_is_end = model.moves() && ends.min;
-  learned.q_max_is_end = model.moves() && ends.max;
   learned.observations = static_cast<int>(observations_.size());
-  const double n = static_cast<double>(residuals.q.size());
-  for (std::size_t i = 0; i < residuals.q.size(); ++i) {
-    learned.position_error += residuals.position[i].norm() / n;
-    learned.orientation_error += residuals.orientation[i].norm() / n;
-  }
-  if (learned.moved || !model.moves())
-    learned.covariance = model.covariance(spaced_, learned.origin.translation(), candidate.memory);
-  learned.params = model.parameters();
-  const double parameters = model.complexity(spaced_.has_orientation);
-  const auto add = [&learned](const char* name, double value, ModelParam::Kind kind) {
-    learned.params.push_back({name, value, kind});
-  };
-  add("sigma_position", config_.sigma_position, ModelParam::kPrior);
-  add("sigma_orientation", config_.sigma_orientation, ModelParam::kPrior);
-  add("complexity", parameters, ModelParam::kEval);
-  add("dofs", model.moves() ? 1 : 0, ModelParam::kEval);
-  add("samples", n, ModelParam::kEval);
-  add("q_min[0]", residuals.q_min, ModelParam::kEval);
-  add("q_max[0]", residuals.q_max, ModelParam::kEval);
-  add("avg_error_position", learned.position_error, ModelParam::kEval);
-  add("avg_error_orientation", learned.orientation_error, ModelParam::kEval);
-  add("outlier_ratio", candidate.outlier_share, ModelParam::kEval);
-  add("loglikelihood", candidate.log_likelihood, ModelParam::kEval);
-  add("evidence", candidate.evidence, ModelParam::kEval);
-  add("correlation", candidate.correlation, ModelParam::kEval);
-  add("bic", -2 * candidate.log_likelihood + parameters * std::log(n), ModelParam::kEval);
+  describeGeometry(candidate, reference_.offset(front_.width, front_.height), &learned);
+  learned.q = candidate.model->configuration(poses_.poses.back());
+  describeRange(candidate, spaced_.stamps, &learned);
+  if (learned.moved || !candidate.model->moves())
+    learned.covariance = candidate.model->covariance(spaced_, learned.origin.translation(), candidate.memory);
+  describeFit(candidate, spaced_.has_orientation, config_, &learned);
   return learned;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/articulation/observation_noise.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -12,12 +14,12 @@ bool isRotation(const Eigen::Matrix3d& R) {
   return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && R.determinant() > 0;
 }
 
-/// (I + covariance / sigma^2)^(-1/2): a deviation weighs as much as it would with that much noise besides sigma.
+/// sigma covariance^(-1/2): a deviation weighs as much as it would with noise of that sigma in every direction.
 Eigen::Matrix3d weightOf(const Eigen::Matrix3d& covariance, double sigma) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
-  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(0) / (sigma * sigma);
-  return solver.eigenvectors() * (variances.array() + 1).rsqrt().matrix().asDiagonal() * solver.eigenvectors().transpose();
+  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(1e-12);
+  return sigma * solver.eigenvectors() * variances.array().rsqrt().matrix().asDiagonal() * solver.eigenvectors().transpose();
 }
 
 }  // namespace
@@ -28,15 +30,11 @@ void FrontPoses::append(const TrackedObservation& observation, std::vector<Entry
   if (!rectangle.pose.matrix().allFinite() || !isRotation(rectangle.pose.linear())) return;
   Entry entry{observation.stamp,          rectangle.pose, rectangle.width, rectangle.height, false, Eigen::Matrix3d::Identity(),
               Eigen::Matrix3d::Identity()};
-  entry.weighted = observation.covariance.allFinite() && !observation.covariance.isZero(0);
+  entry.weighted = reportsNoise(observation);
   if (entry.weighted) {
-    // Edges err together, by a side face taken along or a hinge side hidden by its neighbour; planes do not.
-    const Eigen::Vector3d normal = rectangle.normal();
-    const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-    const Eigen::Matrix3d total =
-        observation.covariance.topLeftCorner<3, 3>() + config_.sigma_edge * config_.sigma_edge * in_plane;
-    entry.position_weight = weightOf(total, config_.sigma_plane);
-    entry.orientation_weight = weightOf(observation.covariance.bottomRightCorner<3, 3>(), config_.sigma_orientation);
+    const Matrix6d covariance = totalCovariance(observation, config_);
+    entry.position_weight = weightOf(covariance.topLeftCorner<3, 3>(), config_.sigma_plane);
+    entry.orientation_weight = weightOf(covariance.bottomRightCorner<3, 3>(), config_.sigma_orientation);
   }
   entries->push_back(entry);
 }

@@ -13,6 +13,12 @@ namespace {
 /// Motion that is less probable is not called so yet.
 constexpr double kSure = 0.9;
 
+/// Probability of a motion that is evident from a few poses (few enough for their likelihood to say little).
+constexpr double kEvident = 0.99;
+
+/// [nats] By which a joint that is no plausible one must be better to be believed in.
+constexpr double kImplausible = 5;
+
 double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 /// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.
@@ -80,8 +86,71 @@ double independentShare(const Candidate& candidate) { return (1 - candidate.corr
 double advantage(const Candidate& candidate, const Candidate& simpler, const PoseTrack& track) {
   const double independent = independentShare(candidate);
   const int parameters = candidate.model->complexity(track.has_orientation) - simpler.model->complexity(track.has_orientation);
-  return independent * (candidate.log_likelihood - simpler.log_likelihood) -
+  return independent * (candidate.cautious_log_likelihood - simpler.cautious_log_likelihood) -
          0.5 * parameters * std::log(std::max(1.0, independent * static_cast<double>(track.size())));
+}
+
+/// What the candidates are to one another; null where there is none.
+struct Roles {
+  const Candidate* still = nullptr;
+  const Candidate* moving = nullptr;  ///< the joint that explains a motion best
+  const Candidate* free = nullptr;    ///< a curve of any shape
+};
+
+/// Also adds to the evidence of joints what their independent residuals say.
+Roles assignRoles(std::vector<Candidate>* candidates, const PoseTrack& track, const ArticulationConfig& config) {
+  Roles roles;
+  for (Candidate& candidate : *candidates) {
+    if (!candidate.model->moves()) {
+      roles.still = &candidate;
+      continue;
+    }
+    if (!candidate.model->isParametric()) {
+      roles.free = &candidate;
+      continue;
+    }
+    if (roles.moving) {
+      const double turn_min = track.orientation_weights.empty() ? config.turn_min : 0;
+      const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= turn_min);
+      if (!bends) candidate.evidence = std::min(candidate.evidence, roles.moving->evidence);
+      // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
+      const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
+      candidate.evidence += track.has_orientation ? difference : std::min(0.0, difference);
+      if (!candidate.plausible && candidate.evidence < roles.moving->evidence + kImplausible)
+        candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
+    }
+    if (!roles.moving || candidate.evidence > roles.moving->evidence) roles.moving = &candidate;
+  }
+  if (!roles.moving) std::swap(roles.moving, roles.free);
+  return roles;
+}
+
+/// Probability that the front moved, as `best` says.
+double probabilityOfMotion(const Roles& roles, const Candidate* best, const PoseTrack& track, const MotionCriterion& criterion) {
+  if (!best) return 0;
+  if (!roles.still) return 1;
+  const double moved = logistic(advantage(*best, *roles.still, track));
+  if (!best->plausible) return std::min(moved, 0.5);
+  if (criterion.isEvidentEarly(*best->model, best->residuals, track)) return std::max(moved, kEvident);
+  return moved >= kSure && criterion.passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
+}
+
+/// Index = JointType. `moved` and `beyond`: of motion, and of motion that no joint describes.
+std::vector<double> probabilitiesOf(const std::vector<Candidate>& candidates, const Roles& roles, double moved, double beyond) {
+  std::vector<double> probabilities(modelRegistry().size(), 0);
+  const auto probability = [&probabilities](const Candidate& candidate) -> double& {
+    return probabilities[static_cast<std::size_t>(candidate.model->type())];
+  };
+  const auto share = [&roles](const Candidate& candidate) {
+    return candidate.model->moves() && &candidate != roles.free ? std::exp(candidate.evidence - roles.moving->evidence) : 0;
+  };
+  if (roles.still) probability(*roles.still) = 1 - moved;
+  if (roles.free) probability(*roles.free) = moved * beyond;
+  double sum = 0;
+  for (const Candidate& candidate : candidates) sum += share(candidate);
+  for (const Candidate& candidate : candidates)
+    if (share(candidate) > 0) probability(candidate) = moved * (1 - beyond) * share(candidate) / sum;
+  return probabilities;
 }
 
 }  // namespace
@@ -91,6 +160,8 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   candidate.model = model;
   candidate.residuals = model->residuals(track);
   candidate.log_likelihood = model->logLikelihood(track, candidate.residuals);
+  const double caution = track.orientation_weights.empty() ? 1 : std::max(1.0, config.sigma_position / config.sigma_plane);
+  candidate.cautious_log_likelihood = model->logLikelihood(track, candidate.residuals, caution);
   const double limit = 3 * config.sigma_position;
   candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
   candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));
@@ -99,54 +170,19 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   return candidate;
 }
 
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionTest& test,
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion& criterion,
                       const ArticulationConfig& config) {
+  const Roles roles = assignRoles(candidates, track, config);
+  const bool open = roles.free && roles.moving->outlier_share > config.outlier_share_max;
+  const double beyond = open ? logistic(advantage(*roles.free, *roles.moving, track)) : 0;
+  const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
+  const double moved = probabilityOfMotion(roles, best, track, criterion);
   Selection selection;
-  selection.probabilities.assign(modelRegistry().size(), 0);
-  const Candidate* still = nullptr;
-  const Candidate* moving = nullptr;
-  const Candidate* free = nullptr;
-  for (Candidate& candidate : *candidates) {
-    if (!candidate.model->moves()) {
-      still = &candidate;
-    } else if (!candidate.model->isParametric()) {
-      free = &candidate;
-    } else {
-      const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= config.turn_min);
-      if (moving && !bends) candidate.evidence = std::min(candidate.evidence, moving->evidence);
-      // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
-      if (moving) {
-        const double difference = independentShare(candidate) * (candidate.log_likelihood - moving->log_likelihood);
-        candidate.evidence += track.has_orientation ? difference : std::min(0.0, difference);
-      }
-      if (!moving || candidate.evidence > moving->evidence) moving = &candidate;
-    }
-  }
-  if (!moving) std::swap(moving, free);
-  const bool open = free && moving->outlier_share > config.outlier_share_max;
-  const double beyond = open ? logistic(advantage(*free, *moving, track)) : 0;
-  const Candidate* best = beyond > 0.5 ? free : moving;
-  double moved = best ? 1 : 0;
-  if (still && best) {
-    moved = logistic(advantage(*best, *still, track));
-    if (moved < kSure || !test.passes(*best->model, best->residuals, track)) moved = std::min(moved, 0.5);
-  }
+  selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
   selection.moved = best && moved > 0.5;
   selection.explained = !selection.moved || best->outlier_share <= config.outlier_share_max;
-  if (!selection.moved && still) best = still;
+  if (!selection.moved && roles.still) best = roles.still;
   if (best) selection.best = static_cast<std::size_t>(best - candidates->data());
-  const auto probability = [&selection](const Candidate& candidate) -> double& {
-    return selection.probabilities[static_cast<std::size_t>(candidate.model->type())];
-  };
-  const auto share = [moving, free](const Candidate& candidate) {
-    return candidate.model->moves() && &candidate != free ? std::exp(candidate.evidence - moving->evidence) : 0;
-  };
-  if (still) probability(*still) = 1 - moved;
-  if (free) probability(*free) = moved * beyond;
-  double sum = 0;
-  for (const Candidate& candidate : *candidates) sum += share(candidate);
-  for (const Candidate& candidate : *candidates)
-    if (share(candidate) > 0) probability(candidate) = moved * (1 - beyond) * share(candidate) / sum;
   return selection;
 }
 

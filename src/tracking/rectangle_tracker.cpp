@@ -36,6 +36,21 @@ bool isDuplicate(const Rectangle& a, const Rectangle& b) {
          intersectionOverUnion(a, b) > kOverlap;
 }
 
+/// A part of a front that moved, seen alone: it lies within the front's outline and plane. Closed fronts do lie in the face of
+/// others.
+bool isPartOf(const Track& track, const Rectangle& part, double stamp, const TrackingConfig& config) {
+  constexpr double kRecent = 0.3, kMoved = 0.03, kInside = 0.7, kDistance = 0.02, kCosine = 0.99;  // s, m, -, m, 8 degrees
+  const TrackedObservation& newest = track.observations.back();
+  const Eigen::Vector3d way = newest.rectangle.center() - track.observations.front().rectangle.center();
+  if (!isConfirmed(track, config) || stamp - newest.stamp > kRecent || way.norm() < kMoved) return false;
+  const Rectangle front =
+      newest.stamp == stamp ? newest.rectangle : extrapolate(track.observations, stamp, config.prediction_horizon);
+  if (std::abs(front.normal().dot(part.normal())) < kCosine || std::abs(front.plane().distance(part.center())) > kDistance)
+    return false;
+  const double area = part.width * part.height, overlap = intersectionOverUnion(front, part);
+  return overlap / (1 + overlap) * (front.width * front.height + area) > kInside * area;
+}
+
 /// All observations with the track's new size, from the newest back: the size was known worst at the beginning. The newest
 /// continues from `reference`.
 void placeAnew(Track& track, const KnownSize& size, const KnownPlace& reference, const TrackingConfig& config) {
@@ -214,6 +229,9 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
                    [&](const DetectedRectangle& a, const DetectedRectangle& b) { return support(a) > support(b); });
   for (const DetectedRectangle& detection : unclaimed) {
     if (isSeenAlready(stamp, detection.rectangle)) continue;
+    if (std::any_of(live_.tracks.begin(), live_.tracks.end(),
+                    [&](const Track& track) { return isPartOf(track, detection.rectangle, stamp, config_); }))
+      continue;
     Track track;
     track.id = next_id_++;
     track.width = detection.rectangle.width;

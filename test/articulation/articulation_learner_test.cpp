@@ -3,32 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "articulation/synthetic_tracks.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-
-SyntheticFront door() { return {}; }
-
-SyntheticFront drawer() {
-  SyntheticFront front;
-  front.type = JointType::kPrismatic;
-  front.height = 0.125;
-  front.q_end = 0.3;
-  return front;
-}
-
-SyntheticFront still() {
-  SyntheticFront front;
-  front.type = JointType::kRigid;
-  return front;
-}
-
-double probability(const LearnedModel& model, JointType type) { return model.probabilities.at(static_cast<std::size_t>(type)); }
 
 TEST(ArticulationLearner, LearnsADoor) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
@@ -180,92 +160,6 @@ TEST(ArticulationLearner, ForgetsTracksThatAreGone) {
   EXPECT_TRUE(learner.process({}).empty());
 }
 
-TEST(ArticulationLearner, ATrackWithoutUsablePosesHasNoModel) {
-  Track track;
-  EXPECT_TRUE(ArticulationLearner({}).process({track}).empty());
-  track = syntheticTrack(door());
-  for (TrackedObservation& observation : track.observations)
-    observation.rectangle.pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(ArticulationLearner({}).process({track}).empty());
-}
-
-TEST(ArticulationLearner, KeepsWhatItLearnedWhenBadInputComes) {
-  Track track = syntheticTrack(door());
-  ArticulationLearner learner({});
-  const LearnedModel before = learner.process({track}).at(0);
-  for (TrackedObservation& observation : track.observations)
-    observation.rectangle.pose.linear() *= std::numeric_limits<double>::quiet_NaN();
-  track.observations.pop_back();
-  const std::vector<LearnedModel> after = learner.process({track});
-  ASSERT_EQ(after.size(), 1u);
-  EXPECT_EQ(after[0].radius, before.radius);
-}
-
-TEST(ArticulationLearner, IgnoresSinglePosesThatAreNotFinite) {
-  Track track = syntheticTrack(door());
-  const LearnedModel clean = learn(track);
-  track.observations[50].rectangle.pose.translation().y() = std::numeric_limits<double>::infinity();
-  track.observations[60].rectangle.pose.linear().setZero();
-  track.observations[70].covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
-  track.observations[80].rectangle.width = std::numeric_limits<double>::quiet_NaN();
-  const LearnedModel model = learn(track);
-  EXPECT_EQ(model.type, JointType::kRotational);
-  EXPECT_NEAR(model.radius, clean.radius, 0.002);
-}
-
-TEST(ArticulationLearner, OnePoseIsRigid) {
-  SyntheticFront front = door();
-  front.poses = 1;
-  const LearnedModel model = learn(syntheticTrack(front));
-  EXPECT_FALSE(model.moved);
-  EXPECT_EQ(model.type, JointType::kRigid);
-  EXPECT_EQ(model.observations, 1);
-  EXPECT_TRUE(model.covariance.allFinite());
-}
-
-TEST(ArticulationLearner, IdenticalPosesAreRigid) {
-  SyntheticFront front = still();
-  front.noise = front.turn_noise = 0;
-  const LearnedModel model = learn(syntheticTrack(front));
-  EXPECT_FALSE(model.moved);
-  EXPECT_LT((model.origin.translation() - closedPose().translation()).norm(), 1e-6);
-}
-
-TEST(ArticulationLearner, StampsOutOfOrderAreSorted) {
-  const Track track = syntheticTrack(door());
-  Track shuffled = track;
-  std::shuffle(shuffled.observations.begin(), shuffled.observations.end(), std::mt19937(5));
-  const LearnedModel a = learn(track), b = learn(shuffled);
-  EXPECT_EQ(a.radius, b.radius);
-  EXPECT_EQ(a.probabilities, b.probabilities);
-}
-
-TEST(ArticulationLearner, AJumpOfAMetreIsNotMotionAlongAJoint) {
-  Track track = syntheticTrack(still());
-  track.observations[50].rectangle.pose.pretranslate(Eigen::Vector3d(1, 0, 0));
-  EXPECT_FALSE(learn(track).moved);
-}
-
-TEST(ArticulationLearner, AJumpOfAMetreDoesNotSpoilADoor) {
-  Track track = syntheticTrack(door());
-  const LearnedModel clean = learn(track);
-  track.observations[50].rectangle.pose.pretranslate(Eigen::Vector3d(1, 0, 0));
-  const LearnedModel model = learn(track);
-  EXPECT_EQ(model.type, JointType::kRotational);
-  EXPECT_NEAR(model.radius, clean.radius, 0.004);
-  EXPECT_NEAR(model.q_max, clean.q_max, 0.05);
-}
-
-TEST(ArticulationLearner, RotationsThatAreNoneAreIgnored) {
-  Track track = syntheticTrack(door());
-  const LearnedModel clean = learn(track);
-  for (std::size_t i = 0; i < track.observations.size(); i += 10) track.observations[i].rectangle.pose.linear() *= 1.5;
-  const LearnedModel model = learn(track);
-  EXPECT_EQ(model.observations, 90);
-  EXPECT_EQ(model.type, JointType::kRotational);
-  EXPECT_NEAR(model.radius, clean.radius, 0.006);
-}
-
 TEST(ArticulationLearner, DoorsThatTurnALittleAreTold) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SyntheticFront front = door();
@@ -300,21 +194,6 @@ TEST(ArticulationLearner, IntervalsHoldTheTruth) {
   EXPECT_GE(axes, 87);
   EXPECT_GE(radii, 87);
   EXPECT_LE(axes + radii, 199) << "intervals so wide say nothing";
-}
-
-TEST(ArticulationLearner, AHundredThousandPosesAreBounded) {
-  SyntheticFront front = door();
-  front.poses = 100000;
-  const LearnedModel model = learn(syntheticTrack(front));
-  EXPECT_EQ(model.type, JointType::kRotational);
-  EXPECT_EQ(model.observations, 100000);
-  EXPECT_NEAR(model.radius, 0.2, 0.004);
-}
-
-TEST(ArticulationLearner, RefusesSettingsOutOfRange) {
-  ArticulationConfig config;
-  config.sigma_position = 0;
-  EXPECT_THROW(ArticulationLearner{config}, ConfigError);
 }
 
 TEST(FitAllModels, BestFirst) {

@@ -25,6 +25,26 @@ struct SyntheticFront {
   unsigned seed = 1;
 };
 
+inline SyntheticFront door() { return {}; }
+
+inline SyntheticFront drawer() {
+  SyntheticFront front;
+  front.type = JointType::kPrismatic;
+  front.height = 0.125;
+  front.q_end = 0.3;
+  return front;
+}
+
+inline SyntheticFront still() {
+  SyntheticFront front;
+  front.type = JointType::kRigid;
+  return front;
+}
+
+inline double probability(const LearnedModel& model, JointType type) {
+  return model.probabilities.at(static_cast<std::size_t>(type));
+}
+
 inline Eigen::Isometry3d closedPose() {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translate(Eigen::Vector3d(0.1, -0.2, 1.5));

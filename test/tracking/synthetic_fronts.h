@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
+#include "cabinet_articulation/tracking/motion_gate.h"
 #include "cabinet_articulation/tracking/placement.h"
+#include "cabinet_articulation/tracking/track.h"
 
 namespace cabinet_articulation::core {
 
@@ -74,6 +80,23 @@ inline DetectedRectangle withHiddenEdge(DetectedRectangle detection, Edge edge, 
   (axis == 0 ? detection.rectangle.width : detection.rectangle.height) -= amount;
   detection.edge_support[edge] = 0;
   return detection;
+}
+
+constexpr double kFrame = 1.0 / 15;  ///< [s]
+
+/// A smooth opening and closing within `period` [s]: 0 at the ends, 1 in the middle.
+inline double opening(double t, double period) { return 0.5 - 0.5 * std::cos(2 * M_PI * t / period); }
+
+/// Largest distance of the corners of a track's rectangles from the truth, in one description for the whole track.
+inline double largestError(const Track& track, const std::function<Rectangle(double)>& truth) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDescriptions; ++k) {
+    double worst = 0;
+    for (const TrackedObservation& observation : track.observations)
+      worst = std::max(worst, cornerDistance(observation.rectangle, describe(truth(observation.stamp), k)));
+    best = std::min(best, worst);
+  }
+  return best;
 }
 
 }  // namespace cabinet_articulation::core

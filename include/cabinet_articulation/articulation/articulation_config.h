@@ -28,8 +28,9 @@ struct ArticulationConfig {
   double motion_min = 0.03;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
+  double motion_to_sigma = 4;
   double edge_support_min = 0.5;
-  int observations_min = 3;
+  int observations_min = 2;
   double outlier_share_max = 0.3;
   double covariance_factor = 2.6;
 
@@ -50,7 +51,7 @@ struct ArticulationConfig {
     visit("sigma_edge", self.sigma_edge, Range{0, 1}, "m",
           "error of a front's place within its plane that its edges share over a track (measured: up to 0.02)");
     visit("sigma_plane", self.sigma_plane, Range{1e-4, 1}, "m",
-          "error of a front's place across its plane, which deviations are weighed against (measured)");
+          "error of a front's place across its plane, at its edges too, which deviations are weighed against (measured)");
     visit("degrees_of_freedom", self.degrees_of_freedom, Range{1, 1000}, "",
           "tails of the noise when parameters are fitted (Student's t; measured: 5, large is Gaussian)");
     visit("sigma_position_floor", self.sigma_position_floor, Range{1e-6, 0.1}, "m",
@@ -65,17 +66,23 @@ struct ArticulationConfig {
     visit("sagitta_min", self.sagitta_min, Range{0, 0.1}, "m",
           "an arc that bends less than this is never preferred to a line (measured: slip of a gripper looks like 6 mm)");
     visit("turn_min", self.turn_min, Range{0, 3}, "rad",
-          "unless the front was seen to turn by this much along it (ours: a door's face tells before its path bends)");
+          "unless the front was seen to turn by this much along it (ours: a door's face tells before its path bends); for poses "
+          "that "
+          "do not say how certain they are");
     visit("motion_min", self.motion_min, Range{0, 1}, "m", "shorter paths are not motion yet (ours)");
     visit("motion_to_noise", self.motion_to_noise, Range{0, 100}, "",
           "nor are paths shorter than this many times the spread across them, as slow jitter makes them (ours)");
     visit(
         "motion_to_jitter", self.motion_to_jitter, Range{0, 100}, "",
         "nor shorter than this many times the jitter from one pose to the next (measured: real motions 15 and more, mostly 100)");
+    visit("motion_to_sigma", self.motion_to_sigma, Range{0, 100}, "",
+          "a front seen a few times only moved if it came farther than this many times what its observations say is "
+          "uncertain (measured: arms come up to 3)");
     visit("edge_support_min", self.edge_support_min, Range{0, 1}, "",
           "a front moves only if the median observation saw this share of its edges (measured: fronts 0.57 and more, clutter "
           "0.45)");
-    visit("observations_min", self.observations_min, Range{3, 1000}, "", "fewer poses than this do not show motion (ours)");
+    visit("observations_min", self.observations_min, Range{2, 1000}, "",
+          "fewer poses than this do not show motion; two can where they say how certain they are (ours)");
     visit("outlier_share_max", self.outlier_share_max, Range{0.01, 1}, "",
           "no model explains a track with more poses than this farther than 3 sigma_position from it (measured)");
     visit("covariance_factor", self.covariance_factor, Range{0.1, 100}, "",

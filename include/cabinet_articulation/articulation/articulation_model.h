@@ -78,8 +78,8 @@ class ArticulationModel {
   ModelResiduals residuals(const PoseTrack& track) const;
 
   /// log p(D | M), Eqs. (6)-(10), for independent Gaussian noise: positions and orientations with their own sigmas, q
-  /// uniform over the observed path.
-  double logLikelihood(const PoseTrack& track, const ModelResiduals& residuals) const;
+  /// uniform over the observed path. The orientation's sigma counts `caution` times.
+  double logLikelihood(const PoseTrack& track, const ModelResiduals& residuals, double caution = 1) const;
 
  protected:
   ArticulationConfig config_;

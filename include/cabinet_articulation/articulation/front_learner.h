@@ -6,7 +6,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/articulation/model_selection.h"
-#include "cabinet_articulation/articulation/motion_test.h"
+#include "cabinet_articulation/articulation/motion_criterion.h"
 #include "cabinet_articulation/articulation/reference_point.h"
 
 namespace cabinet_articulation::core {
@@ -30,7 +30,7 @@ class FrontLearner {
   void chooseReference(const Track& track);
   void createModels();
   void fitModels(const PoseTrack& track, bool parametric);
-  void compareMotions(const MotionTest& test);
+  void compareMotions(const MotionCriterion& criterion);
   void compareSequences(const PoseTrack& track);
   bool isClear() const;
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_model.h"
-#include "cabinet_articulation/articulation/motion_test.h"
+#include "cabinet_articulation/articulation/motion_criterion.h"
 
 namespace cabinet_articulation::core {
 
@@ -13,10 +13,14 @@ struct Candidate {
   ArticulationModel* model = nullptr;
   ModelResiduals residuals;
   double log_likelihood = 0;  ///< Eq. (10)
-  double evidence = 0;        ///< of models that move: sequence log-likelihood less the penalty for complexity
-  double correlation = 0;     ///< of one position residual with the next
-  double memory = 0;          ///< correlation with the next of a sequence whose mean is as uncertain as that of the residuals
-  double outlier_share = 0;   ///< poses farther than 3 sigma_position
+  /// The same as if planes that report how certain they are erred by sigma_position, not sigma_plane: those that stand still
+  /// do while they take in parts of what comes out of them.
+  double cautious_log_likelihood = 0;
+  double evidence = 0;       ///< of models that move: sequence log-likelihood less the penalty for complexity
+  double correlation = 0;    ///< of one position residual with the next
+  double memory = 0;         ///< correlation with the next of a sequence whose mean is as uncertain as that of the residuals
+  double outlier_share = 0;  ///< poses farther than 3 sigma_position
+  bool plausible = true;     ///< false: no joint of this front can be there, so that nothing moves that looks like it
 };
 
 /// Which candidate describes the track, and how sure that is.
@@ -34,13 +38,13 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
  * The best model, Eq. (11), in two steps, because residuals of real tracks follow one another so strongly that as
  * independent ones they make every millimetre of bow a door (ours; measured on 105 real logs).
  *
- * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). A
- * model whose path bends by less than sagitta_min, and on which the front hardly turns, is not preferred to a simpler one.
- * Between rigid and moving they are not, since such a sequence explains slow motion by itself: there they are independent, the
- * likelihood counts for as many poses as are independent, and the motion must pass `test`. So they are between a joint
- * that does not explain the motion and a curve of any shape.
+ * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). Where
+ * poses do not say how certain they are, a model whose path bends by less than sagitta_min, and on which the front hardly
+ * turns, is not preferred to a simpler one. Between rigid and moving they are not, since such a sequence explains slow motion
+ * by itself: there they are independent, the likelihood counts for as many poses as are independent, and the motion must pass
+ * `criterion`, or be evident to it. So they are between a joint that does not explain the motion and a curve of any shape.
  */
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionTest& test,
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion& criterion,
                       const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

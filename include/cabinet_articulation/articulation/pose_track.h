@@ -14,7 +14,8 @@ struct PoseTrack {
   std::vector<Eigen::Isometry3d> poses;
   bool has_orientation = true;  ///< false: positions only (logs of three columns)
   /// How much of a deviation counts, per pose: symmetric matrices in the track's frame with eigenvalues from 0 (that
-  /// direction was not observed) to 1. Empty: everything was observed. Ignored without orientation.
+  /// direction was not observed) to 1, for orientations also more (better observed than sigma_orientation says). Empty:
+  /// everything was observed. Ignored without orientation.
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
   /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.

@@ -10,11 +10,12 @@ namespace cabinet_articulation::core {
 
 /// What is remembered of a track beside its observations. Thinning the history does not touch it.
 struct TrackMemory {
+  static constexpr double kUnknown = 1e9;  ///< [m] standard deviation of what was never seen
   FrontSize size;
-  int seen = 1;                                                   ///< frames
-  int frames = 1;                                                 ///< since the first one; of a long absence only the first few
-  int unseen = 0;                                                 ///< frames since the last one
-  Eigen::Vector2d placed_sigma = Eigen::Vector2d::Constant(1e9);  ///< [m] of the size when the history was placed last
+  int seen = 1;    ///< frames
+  int frames = 1;  ///< since the first one; of a long absence only the first few
+  int unseen = 0;  ///< frames since the last one
+  Eigen::Vector2d placed_sigma = Eigen::Vector2d::Constant(kUnknown);  ///< [m] of the size when the history was placed last
 };
 
 /// Tracks ordered by id, and the memory of each.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/motion_test.h"
+#include "cabinet_articulation/articulation/motion_criterion.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ double jitterOf(const Track& track) {
   const ArticulationConfig config;
   FrontPoses poses(config);
   poses.update(track);
-  return MotionTest(track, poses.track({}, poses.size()), config).jitter().at(0);
+  return MotionCriterion(track, poses.track({}, poses.size()), config).jitter().at(0);
 }
 
 SyntheticFront noisy(double noise) {
@@ -26,13 +26,13 @@ SyntheticFront noisy(double noise) {
   return front;
 }
 
-TEST(MotionTest, JitterIsTheNoiseFromPoseToPose) {
+TEST(MotionCriterion, JitterIsTheNoiseFromPoseToPose) {
   // The door's steady turning adds nothing; 200 poses know their noise to some 10 %.
   EXPECT_NEAR(jitterOf(syntheticTrack(noisy(0.01))), 0.01, 0.002);
   EXPECT_NEAR(jitterOf(syntheticTrack(noisy(0.03))), 0.03, 0.006);
 }
 
-TEST(MotionTest, UnevenMotionIsNoJitter) {
+TEST(MotionCriterion, UnevenMotionIsNoJitter) {
   Track track = syntheticTrack(noisy(0.0002));
   Track uneven = track;
   uneven.observations.clear();
@@ -41,7 +41,7 @@ TEST(MotionTest, UnevenMotionIsNoJitter) {
   EXPECT_LT(jitterOf(uneven), 0.001);
 }
 
-TEST(MotionTest, NoMotionInFewPosesOrWithoutVisibleEdges) {
+TEST(MotionCriterion, NoMotionInFewPosesOrWithoutVisibleEdges) {
   SyntheticFront front = noisy(0.001);
   front.poses = 2;
   EXPECT_FALSE(learn(syntheticTrack(front)).moved);
@@ -51,7 +51,7 @@ TEST(MotionTest, NoMotionInFewPosesOrWithoutVisibleEdges) {
   EXPECT_FALSE(learn(track).moved);
 }
 
-TEST(MotionTest, SlowDriftOfACentimetreIsNoMotion) {
+TEST(MotionCriterion, SlowDriftOfACentimetreIsNoMotion) {
   SyntheticFront front = noisy(0.001);
   front.type = JointType::kPrismatic;
   front.q_end = 0.01;
@@ -59,7 +59,7 @@ TEST(MotionTest, SlowDriftOfACentimetreIsNoMotion) {
   for (front.seed = 1; front.seed <= 5; ++front.seed) EXPECT_FALSE(learn(syntheticTrack(front)).moved) << front.seed;
 }
 
-TEST(MotionTest, ClutterThatJumpsBetweenTwoPlacesDoesNotMove) {
+TEST(MotionCriterion, ClutterThatJumpsBetweenTwoPlacesDoesNotMove) {
   SyntheticFront front = noisy(0.008);
   front.type = JointType::kRigid;
   front.turn_noise = 0.1;

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/motion_test.h"
+#include "cabinet_articulation/articulation/motion_criterion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "cabinet_articulation/articulation/observation_noise.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kTriples = 200;
-/// Arms and hands are seen a few times only: fewer poses than this must show more of their edges.
-constexpr std::size_t kFew = 6;
-constexpr double kClearer = 0.08;
+constexpr std::size_t kFew = 6;           ///< fewer poses than this are few
+constexpr double kArmWidth = 0.08;        ///< [m] a few of what is narrower may be an arm
+constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
+constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
 
 /// Who was only seen here and there did not show how it came from one to the other.
 constexpr double kLargestGap = 0.7;
@@ -81,23 +84,69 @@ double spreadOf(const ModelResiduals& residuals, const PoseTrack& poses, const E
   return std::sqrt(sum / static_cast<double>(poses.size()));
 }
 
+bool isNarrow(const Track& track) { return std::min(track.width, track.height) < kArmWidth && track.width > 0; }
+
+bool pauses(const PoseTrack& poses) {
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    if (poses.stamps[i] - poses.stamps[i - 1] > kLongestPause) return true;
+  return false;
+}
+
+/// Of the observations that say how certain they are.
+Matrix6d meanCovariance(const Track& track, const ArticulationConfig& config) {
+  Matrix6d sum = Matrix6d::Zero();
+  int count = 0;
+  const std::size_t stride = std::max<std::size_t>(1, track.observations.size() / kCovariances);
+  for (std::size_t i = 0; i < track.observations.size(); i += stride) {
+    if (!reportsNoise(track.observations[i])) continue;
+    sum += totalCovariance(track.observations[i], config);
+    ++count;
+  }
+  return sum / std::max(1, count);
+}
+
 }  // namespace
 
-MotionTest::MotionTest(const Track& track, const PoseTrack& poses, const ArticulationConfig& config)
-    : config_(config),
-      refused_(poses.size() < static_cast<std::size_t>(config.observations_min) ||
-               medianEdgeSupport(track) < config.edge_support_min + (poses.size() < kFew ? kClearer : 0)) {
+MotionCriterion::MotionCriterion(const Track& track, const PoseTrack& poses, const ArticulationConfig& config)
+    : config_(config), few_(poses.size() < kFew), covariance_(meanCovariance(track, config)) {
+  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) ||
+             medianEdgeSupport(track) < config.edge_support_min || (few_ && (pauses(poses) || isNarrow(track)));
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
 }
 
-bool MotionTest::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const {
+bool MotionCriterion::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const {
   if (refused_ || largestGap(residuals) > kLargestGap) return false;
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const double path = pathOf(model, residuals, poses.outline[k]);
-    if (path < config_.motion_min || path < config_.motion_to_jitter * jitter_[k]) continue;
-    if (path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[k], 3 * config_.sigma_position)) return true;
+    if (path >= config_.motion_min && standsOut(path, k, residuals, poses)) return true;
   }
   return false;
+}
+
+bool MotionCriterion::isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals,
+                                     const PoseTrack& poses) const {
+  if (refused_ || !few_ || covariance_.isZero(0)) return false;
+  if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return false;
+  const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
+  for (std::size_t k = 0; k < poses.outline.size(); ++k) {
+    const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
+    const double sigma = std::sqrt(2.0) * reportedSigma(way.normalized(), last.linear() * poses.outline[k]);
+    if (way.norm() > config_.motion_to_sigma * sigma && standsOut(way.norm(), k, residuals, poses)) return true;
+  }
+  return false;
+}
+
+/// [m] Of a front's point, `lever` away from its centre, along a direction.
+double MotionCriterion::reportedSigma(const Eigen::Vector3d& direction, const Eigen::Vector3d& lever) const {
+  Eigen::Matrix<double, 6, 1> gradient;
+  gradient << direction, lever.cross(direction);
+  return std::sqrt(gradient.dot(covariance_ * gradient));
+}
+
+/// Is the path of a point of the outline much longer than its jitter and its distance from where the model says?
+bool MotionCriterion::standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseTrack& poses) const {
+  return path >= config_.motion_to_jitter * jitter_[point] &&
+         path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], 3 * config_.sigma_position);
 }
 
 }  // namespace cabinet_articulation::core

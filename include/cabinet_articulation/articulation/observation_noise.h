@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/// Did the observation say how certain it is?
+bool reportsNoise(const TrackedObservation& observation);
+
+/// Covariance of an observation, with the errors that the observations of a track share and do not report (ours): edges err
+/// together by sigma_edge, by a side face taken along or a hinge side hidden by its neighbour; planes by sigma_plane at their
+/// edges.
+Matrix6d totalCovariance(const TrackedObservation& observation, const ArticulationConfig& config);
+
+}  // namespace cabinet_articulation::core

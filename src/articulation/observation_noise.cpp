@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/observation_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+
+bool reportsNoise(const TrackedObservation& observation) {
+  return observation.covariance.allFinite() && !observation.covariance.isZero(0);
+}
+
+Matrix6d totalCovariance(const TrackedObservation& observation, const ArticulationConfig& config) {
+  constexpr double kLeastSide = 0.01;  // [m]
+  const double plane = config.sigma_plane, edge = config.sigma_edge;
+  const double width = std::max(observation.rectangle.width, kLeastSide);
+  const double height = std::max(observation.rectangle.height, kLeastSide);
+  Eigen::Matrix<double, 6, 1> sigmas;  // in the front's frame
+  sigmas << std::hypot(plane, edge), std::hypot(plane, edge), plane, 2 * plane / height, 2 * plane / width,
+      2 * edge / std::max(width, height);
+  Matrix6d axes = Matrix6d::Zero();
+  axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = observation.rectangle.pose.linear();
+  return observation.covariance + axes * sigmas.cwiseAbs2().asDiagonal() * axes.transpose();
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cabinet_articulation/tracking/rectangle_tracker.h"
+#include "tracking/synthetic_fronts.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+TEST(TrackLifetime, TwoRectanglesOfOneFrontDoNotForkItsTrack) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(23);
+  for (int i = 1; i <= 30; ++i) {
+    const Rectangle door = swung(closedFront(), 0.03 * i);
+    std::vector<DetectedRectangle> seen{detect(door), detect(door)};
+    if (i % 3 == 0) seen.push_back(withHiddenEdge(detect(door), kEdgePlusY, 0.25));
+    std::rotate(seen.begin(), seen.begin() + i % seen.size(), seen.end());
+    tracker.process(i * kFrame, seen);
+    ASSERT_EQ(tracker.tracks().size(), 1u) << i;
+  }
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 30u);
+}
+
+TEST(TrackLifetime, ClutterEndsFastAndFrontsAfterTheTimeout) {
+  TrackingConfig config;
+  RectangleTracker tracker(config);
+  NoisyDetector detect(29);
+  tracker.process(0, {detect(closedFront()), detect(closedFront(1))});
+  for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect(closedFront())});
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+  EXPECT_EQ(tracker.expected().size(), 1u) << "only the confirmed one";
+  tracker.process(1.5, {});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 0u);
+  tracker.process(20.3, {});
+  EXPECT_EQ(tracker.tracks().size(), 1u);
+  tracker.process(20.4, {});
+  EXPECT_TRUE(tracker.tracks().empty());
+  tracker.reset();
+  tracker.process(0, {detect(closedFront())});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 2u) << "an id is never used twice";
+}
+
+TEST(TrackLifetime, WhatFlickersEnds) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(33);
+  std::uint32_t newest = 0;
+  for (int i = 1; i <= 90; ++i) {
+    std::vector<DetectedRectangle> seen{detect(closedFront())};
+    if (i % 4 == 0) seen.push_back(detect(closedFront(1, 0.3, 0.1)));
+    if (i % 3 != 0) seen.push_back(detect(closedFront(2, 0.3, 0.4)));
+    tracker.process(i * kFrame, seen);
+    ASSERT_EQ(tracker.tracks()[0].id, 0u);
+    newest = std::max(newest, tracker.tracks().back().id);
+    for (const Track& track : tracker.tracks())
+      EXPECT_TRUE(track.id == 0 || track.width * track.height > 0.05 || track.observations.size() <= 6) << i;
+  }
+  EXPECT_GT(newest, 3u) << "the flickering piece got several short tracks, the one seen in two frames of three only one";
+  EXPECT_EQ(std::count_if(tracker.tracks().begin(), tracker.tracks().end(),
+                          [](const Track& track) { return track.observations.size() == 60; }),
+            1);
+}
+
+TEST(TrackLifetime, AHandInFrontOfAYoungTrackIsNoFlicker) {
+  for (int hidden : {5, 20, 200}) {
+    RectangleTracker tracker({});
+    NoisyDetector detect(35);
+    for (int i = 1; i <= 30 + 2 * hidden; ++i) {
+      const bool seen = i <= 5 || (i > 5 + hidden && i <= 8 + hidden) || i > 8 + 2 * hidden;
+      tracker.process(i * kFrame,
+                      seen ? std::vector<DetectedRectangle>{detect(closedFront())} : std::vector<DetectedRectangle>());
+    }
+    ASSERT_EQ(tracker.tracks().size(), 1u) << hidden;
+    EXPECT_EQ(tracker.tracks()[0].id, 0u) << hidden;
+  }
+}
+
+TEST(TrackLifetime, ProposesOnlySizesThatWereObserved) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(30);
+  const auto merged = [&](const Rectangle& front) { return withHiddenEdge(detect.plain(front), kEdgePlusX, -0.3); };
+  for (int i = 1; i <= 10; ++i) tracker.process(i * kFrame, {merged(closedFront()), detect(closedFront(2))});
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+  ASSERT_EQ(tracker.expected().size(), 1u);
+  EXPECT_NEAR(tracker.expected()[0].center().x(), 2, 0.01);
+  EXPECT_NEAR(tracker.expected()[0].width * tracker.expected()[0].height, 0.395 * 0.58, 0.005);
+  tracker.process(2, {});
+  EXPECT_TRUE(tracker.expected().empty()) << "lost";
+}
+
+TEST(TrackLifetime, AJumpOfAMetreIsAnotherFront) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(31);
+  for (int i = 1; i <= 10; ++i) tracker.process(i * kFrame, {detect(closedFront(i == 6 ? 1 : 0))});
+  ASSERT_EQ(tracker.tracks().size(), 2u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 9u);
+}
+
+TEST(TrackLifetime, FlickeringClutterDoesNotDisturbAFront) {
+  const auto drawer = [](double t) { return pulled(closedFront(0, 0.395, 0.125), 0.3 * opening(t, 4)); };
+  NoisyDetector detect(37);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 60; ++i) {
+    std::vector<DetectedRectangle> seen;
+    for (int k = 0; k < 6; ++k) {
+      Rectangle clutter = closedFront(detect.noise(0.5), 0.2 + std::abs(detect.noise(0.3)), 0.1 + std::abs(detect.noise(0.3)));
+      clutter.pose.translation() += Eigen::Vector3d(0, detect.noise(0.3), 0.2 + std::abs(detect.noise(0.3)));
+      clutter.pose.rotate(Eigen::AngleAxisd(detect.noise(0.5), Eigen::Vector3d::UnitX()));
+      seen.push_back(detect(clutter));
+    }
+    seen.push_back(detect(drawer(i * kFrame)));
+    tracker.process(i * kFrame, seen);
+  }
+  const auto longest = std::max_element(tracker.tracks().begin(), tracker.tracks().end(), [](const Track& a, const Track& b) {
+    return a.observations.size() < b.observations.size();
+  });
+  EXPECT_GE(longest->observations.size(), 58u);
+  EXPECT_LT(largestError(*longest, drawer), 0.02);
+}
+
+TEST(TrackLifetime, APartOfAMovingFrontIsNoOther) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(24);
+  for (int i = 1; i <= 30; ++i) {
+    const Rectangle drawer = pulled(closedFront(0, 0.395, 0.125), 0.01 * i);
+    Rectangle half = drawer;
+    half.pose.translate(Eigen::Vector3d(0.1, 0, 0));
+    half.width = 0.17;
+    // Now and then a hand leaves only half of it.
+    tracker.process(i * kFrame, {detect.fromFront(i % 7 == 6 ? half : drawer)});
+    ASSERT_EQ(tracker.tracks().size(), 1u) << i;
+  }
+}
+
+TEST(TrackLifetime, AFrontInTheFaceOfAnotherHasItsOwnTrack) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(25);
+  for (int i = 1; i <= 10; ++i)
+    tracker.process(i * kFrame, {detect.fromFront(closedFront(0, 0.6, 0.58)), detect.fromFront(closedFront(0.1, 0.3, 0.15))});
+  EXPECT_EQ(tracker.tracks().size(), 2u);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
