@@ -28,7 +28,7 @@ struct ArticulationConfig {
   double motion_min = 0.03;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
-  double motion_to_sigma = 4;
+  double motion_to_sigma = 3;
   double edge_support_min = 0.5;
   int observations_min = 2;
   double outlier_share_max = 0.3;
@@ -77,7 +77,7 @@ struct ArticulationConfig {
         "nor shorter than this many times the jitter from one pose to the next (measured: real motions 15 and more, mostly 100)");
     visit("motion_to_sigma", self.motion_to_sigma, Range{0, 100}, "",
           "a front seen a few times only moved if it came farther than this many times what its observations say is "
-          "uncertain (measured: arms come up to 3)");
+          "uncertain (measured: arms come up to 2)");
     visit("edge_support_min", self.edge_support_min, Range{0, 1}, "",
           "a front moves only if the median observation saw this share of its edges (measured: fronts 0.57 and more, clutter "
           "0.45)");
