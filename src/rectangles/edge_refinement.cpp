@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
+#include "cabinet_articulation/rectangles/crease.h"
 #include "cabinet_articulation/rectangles/edge_step.h"
 #include "cabinet_articulation/rectangles/side_face.h"
 
@@ -15,54 +18,130 @@ constexpr double kSettled = 1;            ///< [px] a smaller change needs no se
 constexpr double kMaxTurn = 0.1;          ///< [rad] a larger turn is a mismatch
 constexpr double kHalfSigma = 0.7;        ///< [px] of the place of half an edge
 constexpr double kMaskTurnSigma = 0.006;  ///< [rad] of the turn that the mask gave
+constexpr double kMostSkew = 3;           ///< [px] between an edge's halves; more, and something lies over one of them
+constexpr double kFarthest = 24;          ///< [px] that a mask may reach over a crease
+constexpr double kTolerance = 2;          ///< [px] of a crease's place by the planes alone
+constexpr double kBoard = 0.018;          ///< [m] thickness of a front
 constexpr double kHalfDistance = 0.5;     ///< of an edge's length, between the middles of its halves
 
+/// Where the strips leave the plane. Both halves of an edge must do so for the same reason.
+struct Border {
+  double offset;  ///< [px]
+  bool face = false;
+  double nearer = 0;  ///< [px]
+};
+
 struct EdgeShift {
-  bool confirmed = false;
-  double distance = 0;  ///< [m] outward
-  double turn = 0;      ///< [rad] counter-clockwise
+  std::optional<Border> border;
+  double distance = 0;           ///< [m] outward
+  std::optional<double> hidden;  ///< [m]
+  double turn = 0;               ///< [rad] counter-clockwise
   double turn_weight = 0;
 };
 
-bool trusted(const EdgeStep& step, const RectanglesConfig& config) {
-  return step.contrast > config.edge_contrast && step.inside < std::log(1 - config.edge_agreement);
+/// What the whole of an edge and its halves say.
+using Borders = std::array<std::optional<Border>, 3>;
+
+/// An edge by the whole, and a turn by the halves.
+EdgeShift shiftTo(const Borders& borders, const ImageEdge& image, double length) {
+  const auto& [whole, first, second] = borders;
+  EdgeShift shift;
+  if (!whole) return shift;
+  shift.border = whole;
+  shift.distance = whole->offset * image.metres_per_pixel;
+  if (!first || !second || first->face != whole->face || second->face != whole->face) return shift;
+  if (std::abs(second->offset - first->offset) > kMostSkew) {
+    shift.distance = std::max(first->offset, second->offset) * image.metres_per_pixel;
+    return shift;
+  }
+  // The edge runs counter-clockwise, so if its second half lies further out the rectangle must turn clockwise.
+  shift.turn = -(second->offset - first->offset) * image.metres_per_pixel / (kHalfDistance * length);
+  shift.turn_weight = std::pow(kHalfDistance * length / (kHalfSigma * image.metres_per_pixel), 2) / 2;
+  return shift;
 }
 
-EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const DepthFrame& frame, const PlaneRectangle& rectangle,
-                  Edge edge, const RectanglesConfig& config) {
-  EdgeShift shift;
-  const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
-  if (!image) return shift;
-  const EdgeProfile profile(frame, region, *image);
-  const double face_slope = sideFaceSlope(chart, frame.camera, region.disparity_plane, rectangle, edge);
-  const EdgeStep step = findStep(profile.whole(), face_slope);
-  if (!trusted(step, config)) return shift;
-  shift.confirmed = true;
-  shift.distance = step.offset * image->metres_per_pixel;
-  const EdgeStep first = findStep(profile.half(0), face_slope);
-  const EdgeStep second = findStep(profile.half(1), face_slope);
-  if (!trusted(first, config) || !trusted(second, config)) return shift;
-  if (first.face != step.face || second.face != step.face) return shift;
-  // The edge runs counter-clockwise, so if its second half lies further out the rectangle must turn clockwise.
-  const double length = rectangle.side(1 - edgeAxis(edge));
-  shift.turn = -(second.offset - first.offset) * image->metres_per_pixel / (kHalfDistance * length);
-  shift.turn_weight = std::pow(kHalfDistance * length / (kHalfSigma * image->metres_per_pixel), 2) / 2;
+Borders findBorders(const EdgeProfile& profile, double face_slope, const RectanglesConfig& config) {
+  const auto find = [&](const EdgeProfile::Residuals& residuals) -> std::optional<Border> {
+    const EdgeStep step = findStep(residuals, face_slope);
+    if (step.contrast <= config.edge_contrast || step.inside >= std::log(1 - config.edge_agreement)) return std::nullopt;
+    return Border{step.offset, step.face};
+  };
+  return {find(profile.whole()), find(profile.half(0)), find(profile.half(1))};
+}
+
+Borders findCreases(const EdgeProfile& on_plane, const EdgeProfile& on_neighbour, const Neighbour& neighbour) {
+  const auto find = [&](const EdgeProfile::Residuals& plane, const EdgeProfile::Residuals& other) -> std::optional<Border> {
+    const auto crease = findCrease(plane, other, neighbour);
+    if (!crease) return std::nullopt;
+    return Border{crease->offset, false, crease->nearer};
+  };
+  return {find(on_plane.whole(), on_neighbour.whole()), find(on_plane.half(0), on_neighbour.half(0)),
+          find(on_plane.half(1), on_neighbour.half(1))};
+}
+
+/// [m] how far an edge may go on behind the neighbour at a crease.
+double hiddenBehind(const StereoCamera& camera, double disparity, double nearer, double angle) {
+  const double step = camera.focalBaseline() / disparity - camera.focalBaseline() / (disparity + nearer);
+  return step < kBoard ? kBoard * std::tan(angle / 2) : std::numeric_limits<double>::infinity();
+}
+
+/// A hinge lies within the thickness of its door. As the door turns about it by an angle, its edge comes to lie up to
+/// 1 + tan(angle / 2) of that beyond the line where both planes meet, and is seen as far as what lies beyond tan(angle / 2) of
+/// it. Masks may end elsewhere: block matching cannot tell the planes apart there.
+std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
+                                       const PlaneRectangle& rectangle, Edge edge) {
+  std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
+  std::optional<Neighbour> neighbour = neighbourBeyond(*image, region, surroundings.regions);
+  if (!neighbour || !(neighbour->slope > 0)) return std::nullopt;
+  const double least = -neighbour->at_edge / neighbour->slope;
+  const double most = least + kBoard * (1 + std::tan(neighbour->angle / 2)) / image->metres_per_pixel;
+  if (least > EdgeProfile::kOutside || most < -kFarthest) return std::nullopt;
+  const double start = std::clamp(0.0, least, most);
+  PlaneRectangle moved = rectangle;
+  moved.moveEdge(edge, start * image->metres_per_pixel);
+  image = imageEdge(chart, moved, edge);
+  if (!image) return std::nullopt;
+  neighbour->at_edge = neighbour->at(start);
+  PlaneRegion other = region;
+  other.disparity_plane = neighbour->plane;
+  const Borders borders =
+      findCreases(EdgeProfile(surroundings.frame, region, *image), EdgeProfile(surroundings.frame, other, *image), *neighbour);
+  EdgeShift shift = shiftTo(borders, *image, rectangle.side(1 - edgeAxis(edge)));
+  if (!shift.border || start + shift.border->offset > most + kTolerance)
+    return EdgeShift{{}, start * image->metres_per_pixel, {}, 0, 0};
+  shift.distance += start * image->metres_per_pixel;
+  const Eigen::Vector2d middle = (image->a + image->b) / 2;
+  const double disparity = region.disparity_plane.at(middle.x(), middle.y());
+  shift.hidden = hiddenBehind(surroundings.frame.camera, disparity, shift.border->nearer, neighbour->angle);
   return shift;
+}
+
+EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
+                  const PlaneRectangle& rectangle, Edge edge, const RectanglesConfig& config) {
+  const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
+  if (!image) return {};
+  const std::optional<EdgeShift> crease = measureCrease(chart, region, surroundings, rectangle, edge);
+  if (crease && crease->border) return *crease;
+  const EdgeProfile profile(surroundings.frame, region, *image);
+  const double face_slope = sideFaceSlope(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge);
+  const EdgeShift shift = shiftTo(findBorders(profile, face_slope, config), *image, rectangle.side(1 - edgeAxis(edge)));
+  return shift.border || !crease ? shift : *crease;
 }
 
 }  // namespace
 
-RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const DepthFrame& frame,
+RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config) {
   RefinedRectangle result;
   result.rectangle = rectangle;
-  if (frame.left.empty() || frame.right.empty()) return result;
+  if (surroundings.frame.left.empty() || surroundings.frame.right.empty()) return result;
   for (int pass = 0; pass < kPasses; ++pass) {
     const PlaneRectangle start = result.rectangle;
     double turn = 0, weight = 1 / (kMaskTurnSigma * kMaskTurnSigma), moved = 0;
     for (const Edge edge : kEdges) {
-      const EdgeShift shift = measure(chart, region, frame, start, edge, config);
-      result.confirmed[edge] = shift.confirmed;
+      const EdgeShift shift = measure(chart, region, surroundings, start, edge, config);
+      result.confirmed[edge] = shift.border.has_value();
+      result.hidden[edge] = shift.hidden;
       result.rectangle.moveEdge(edge, shift.distance);
       moved = std::max(moved, std::abs(shift.distance));
       turn += shift.turn_weight * shift.turn;

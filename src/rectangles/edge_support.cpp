@@ -10,13 +10,14 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kSamples = 32;         ///< per edge
-constexpr double kInside = 4;        ///< [px] beyond the blur of block matching, which nibbles at edges
-constexpr double kDeepInside = 9;    ///< [px] beyond what a surface along the edge (a door's side) claims of the front
-constexpr double kOutsideBegin = 3;  ///< [px]
-constexpr double kOutsideEnd = 14;   ///< [px] block matching carries a front's depth up to a window's half beyond it
-constexpr double kUndecided = 0.5;   ///< worth of a sample beyond which there is no depth
-constexpr double kDisputed = 0.25;   ///< worth of a sample that ends in another region of nearly the same plane
+constexpr int kSamples = 32;          ///< per edge
+constexpr double kInside = 4;         ///< [px] beyond the blur of block matching, which nibbles at edges
+constexpr double kDeepInside = 9;     ///< [px] beyond what a surface along the edge (a door's side) claims of the front
+constexpr double kOutsideBegin = 3;   ///< [px]
+constexpr double kOutsideEnd = 14;    ///< [px] block matching carries a front's depth up to a window's half beyond it
+constexpr double kUndecided = 0.5;    ///< worth of a sample beyond which there is no depth
+constexpr double kMostHidden = 0.01;  ///< [m] of an edge behind its neighbour, beyond which its place is worth nothing
+constexpr double kDisputed = 0.25;    ///< worth of a sample that ends in another region of nearly the same plane
 
 bool contains(const cv::Mat1b& mask, const Eigen::Vector2d& pixel) {
   return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < mask.cols - 0.5 && pixel.y() < mask.rows - 0.5;
@@ -61,7 +62,7 @@ double lookOutside(const cv::Mat1b& mask, const Eigen::Vector2d& pixel, const Ei
 }  // namespace
 
 std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Mat1b& mask,
-                                 const std::array<bool, 4>& confirmed) {
+                                 const std::array<bool, 4>& confirmed, const std::array<std::optional<double>, 4>& hidden) {
   std::array<float, 4> support{{0, 0, 0, 0}};
   const Eigen::Vector2d half(rectangle.width / 2, rectangle.height / 2);
   for (const Edge edge : kEdges) {
@@ -75,7 +76,8 @@ std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& 
       const Eigen::Vector2d pixel = chart.toPixel(point);
       const Eigen::Vector2d direction = (chart.toPixel(point + 0.01 * outward) - pixel).normalized();
       if (!contains(mask, pixel) || !seenInside(mask, pixel, direction)) continue;
-      observed += lookOutside(mask, pixel, direction, confirmed[edge]);
+      observed +=
+          hidden[edge] ? std::max(1 - *hidden[edge] / kMostHidden, 0.0) : lookOutside(mask, pixel, direction, confirmed[edge]);
     }
     support[edge] = static_cast<float>(observed / kSamples);
   }

@@ -20,6 +20,8 @@
 namespace cabinet_articulation::core {
 namespace {
 
+constexpr float kHidden = 0.25F;  ///< edge support up to which an edge may well go on
+
 void requireSize(const cv::Mat& image, const cv::Size& expected, const std::string& name) {
   if (image.size() == expected) return;
   throw std::invalid_argument(name + " is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) + ", the camera " +
@@ -57,12 +59,12 @@ std::optional<SupportedRectangle> assess(const RectangleCandidate& candidate, co
 }
 
 /// Edges that the images confirm may bend a little inside too: windows of block matching blend both sides.
-std::array<float, 4> observedShares(const DepthFrame& frame, const RectangleCandidate& candidate,
-                                    const std::array<bool, 4>& confirmed) {
-  std::array<float, 4> shares = edgeSupport(candidate.chart, candidate.rectangle, candidate.region.mask, confirmed);
+std::array<float, 4> observedShares(const DepthFrame& frame, const RectangleCandidate& candidate, const PlaneRectangle& rectangle,
+                                    const RefinedRectangle& refined) {
+  std::array<float, 4> shares = edgeSupport(candidate.chart, rectangle, candidate.region.mask, refined.confirmed, refined.hidden);
   for (const Edge edge : kEdges) {
-    if (confirmed[edge]) continue;
-    const std::optional<ImageEdge> image = imageEdge(candidate.chart, candidate.rectangle, edge);
+    if (refined.confirmed[edge]) continue;
+    const std::optional<ImageEdge> image = imageEdge(candidate.chart, rectangle, edge);
     if (image && bendsAway(frame, candidate.region.disparity_plane, *image)) shares[edge] = 0;
   }
   return shares;
@@ -74,13 +76,15 @@ bool tracked(const Rectangle& rectangle, const std::vector<Rectangle>& expected)
 }
 
 /// The size of a track stays where the images do not place both edges: an edge that they place carries the other along.
-PlaneRectangle keepSize(const PlaneRectangle& sized, const RefinedRectangle& refined) {
+/// What something in front hides is no edge, however clear its border.
+PlaneRectangle keepSize(const PlaneRectangle& sized, const RefinedRectangle& refined, const std::array<float, 4>& shares) {
   PlaneRectangle result = refined.rectangle;
+  const auto placed = [&](Edge edge) { return refined.confirmed[edge] && shares[edge] > kHidden; };
   for (const int axis : {0, 1}) {
     const Edge minus = axis == 0 ? kEdgeMinusX : kEdgeMinusY;
     const Edge plus = axis == 0 ? kEdgePlusX : kEdgePlusY;
-    if (refined.confirmed[minus] == refined.confirmed[plus]) continue;
-    result.moveEdge(refined.confirmed[minus] ? plus : minus, sized.side(axis) - result.side(axis));
+    if (placed(minus) == placed(plus)) continue;
+    result.moveEdge(placed(minus) ? plus : minus, sized.side(axis) - result.side(axis));
   }
   return result;
 }
@@ -107,7 +111,7 @@ std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& fram
   if (config_.refine_planes) buffers_->plane_refit.process(frame, &candidates);
   std::vector<SupportedRectangle> accepted;
   for (RectangleCandidate& candidate : candidates)
-    if (auto result = refine(frame, expected, &candidate)) accepted.push_back(*result);
+    if (auto result = refine({frame, regions}, expected, &candidate)) accepted.push_back(*result);
   return selectBest(std::move(accepted), config_);
 }
 
@@ -134,16 +138,21 @@ std::vector<RectangleCandidate> RectangleDetector::search(const StereoCamera& ca
   return candidates;
 }
 
-std::optional<SupportedRectangle> RectangleDetector::refine(const DepthFrame& frame, const std::vector<Rectangle>& expected,
+std::optional<SupportedRectangle> RectangleDetector::refine(const Surroundings& surroundings,
+                                                            const std::vector<Rectangle>& expected,
                                                             RectangleCandidate* candidate) {
-  RefinedRectangle refined{candidate->rectangle, {}};
-  if (config_.refine_edges) refined = refineEdges(candidate->chart, candidate->region, frame, candidate->rectangle, config_);
-  candidate->rectangle = candidate->guided ? keepSize(candidate->rectangle, refined) : refined.rectangle;
+  RefinedRectangle refined{candidate->rectangle, {}, {}};
+  const DepthFrame& frame = surroundings.frame;
+  if (config_.refine_edges)
+    refined = refineEdges(candidate->chart, candidate->region, surroundings, candidate->rectangle, config_);
+  if (candidate->guided)
+    refined.rectangle = keepSize(candidate->rectangle, refined, observedShares(frame, *candidate, refined.rectangle, refined));
+  candidate->rectangle = refined.rectangle;
   buffers_->objective.setMask(candidate->region.mask);
   std::optional<SupportedRectangle> result = assess(*candidate, buffers_->objective, config_);
   if (!result) return std::nullopt;
   DetectedRectangle& detection = result->detection;
-  detection.edge_support = observedShares(frame, *candidate, refined.confirmed);
+  detection.edge_support = observedShares(frame, *candidate, candidate->rectangle, refined);
   result->tracked = tracked(detection.rectangle, expected);
   if (!bounded(detection.edge_support, config_) && !result->tracked) return std::nullopt;
   std::array<EdgeObservation, 4> edges;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/rectangles/region_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -14,7 +15,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kSameSize = 0.01;     ///< [m] a side that the free fit and the track agree on
 constexpr double kObservedEdge = 0.5;  ///< edge support from which a side counts as seen
 constexpr double kRandomSide = 0.2;    ///< [m] of a random start (original release)
 
@@ -55,15 +55,9 @@ std::vector<PlaneRectangle> randomStarts(const PlaneRegion& region, const PlaneC
   return starts;
 }
 
-/// True if both edges across a side of the free fit were seen, or the side agrees with the track's anyway.
-bool sizeObserved(const PlaneRectangle& fit, const PlaneRectangle& tracked, const std::array<float, 4>& support) {
-  const double turn = fit.angle - tracked.angle;
-  const bool swapped = std::abs(std::sin(turn)) > std::abs(std::cos(turn));
-  for (const int axis : {0, 1}) {
-    const bool agrees = std::abs(fit.side(axis) - tracked.side(swapped ? 1 - axis : axis)) < kSameSize;
-    if (!agrees && std::min(support[2 * axis], support[2 * axis + 1]) < kObservedEdge) return false;
-  }
-  return true;
+/// True if all edges of a free fit were seen.
+bool sizeObserved(const std::array<float, 4>& support) {
+  return *std::min_element(support.begin(), support.end()) >= kObservedEdge;
 }
 
 }  // namespace
@@ -84,7 +78,7 @@ std::optional<RegionFit> fitRegion(const PlaneRegion& region, const PlaneChart& 
     if (result.gain > guided.gain) guided = result;
   }
   if (std::isfinite(guided.gain) && guided.gain > config.track_gain * std::max(free.gain, 0.0) &&
-      !sizeObserved(free.rectangle, guided.rectangle, edgeSupport(chart, free.rectangle, region.mask)))
+      !sizeObserved(edgeSupport(chart, free.rectangle, region.mask)))
     return RegionFit{guided.rectangle, true};
   if (!std::isfinite(free.gain)) return std::nullopt;
   return RegionFit{free.rectangle, false};

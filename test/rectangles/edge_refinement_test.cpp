@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "front_scene.h"
+#include "hinged_door.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -18,7 +19,7 @@ class EdgeRefinementTest : public testing::Test {
 
   RefinedRectangle refine(const Rectangle& start) const {
     const PlaneChart chart = *PlaneChart::at(front_.plane(), frame_.camera, frame_.camera.project(front_.center()));
-    return refineEdges(chart, frontRegion(front_, frame_.camera), frame_, chart.fromSpace(start), {});
+    return refineEdges(chart, frontRegion(front_, frame_.camera), {frame_, {}}, chart.fromSpace(start), {});
   }
 
   Rectangle inSpace(const PlaneRectangle& rectangle) const {
@@ -74,6 +75,29 @@ TEST_F(EdgeRefinementTest, FindsAnEdgeWhereTheSideOfTheBodyBegins) {
   EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.004);  // two pixels
 }
 
+TEST_F(EdgeRefinementTest, FindsWhereADoorGoesBehindItsNeighbour) {
+  for (const double angle : {0.35, 0.6, 0.9}) {
+    const HingedDoor scene(angle);
+    ASSERT_GT(scene.hidden, 0.0005);
+    ASSERT_LT(scene.hidden, 0.012);
+    render({{scene.door, 1}, {scene.neighbour, 2}, {wall_, 3}});
+    const PlaneRegion door = frontRegion(scene.door, frame_.camera);
+    const std::vector<PlaneRegion> regions{door, frontRegion(scene.neighbour, frame_.camera)};
+    Rectangle start = scene.door;
+    start.width += 0.012;  // the mask reaches over the crease
+    start.pose.translation() -= 0.006 * start.pose.linear().col(0);
+    const PlaneChart chart = *PlaneChart::at(start.plane(), frame_.camera, frame_.camera.project(start.center()));
+    const RefinedRectangle refined = refineEdges(chart, door, {frame_, regions}, chart.fromSpace(start), {});
+    EXPECT_TRUE(refined.confirmed[kEdgeMinusX]) << angle;
+    const Rectangle seen = chart.toSpace(refined.rectangle);
+    // Two pixels; the gap beside the door belongs to neither plane.
+    EXPECT_NEAR(scene.door.width - seen.width, scene.hidden, 0.004) << angle;
+    ASSERT_TRUE(refined.hidden[kEdgeMinusX]) << angle;
+    EXPECT_GT(*refined.hidden[kEdgeMinusX], scene.hidden - 0.002) << angle;
+    EXPECT_FALSE(refined.hidden[kEdgePlusX]);
+  }
+}
+
 TEST_F(EdgeRefinementTest, AHandOverTheEdgeDoesNotBendIt) {
   Rectangle hand = exampleFront({0.05, 0.06, 1.2}, 0.07, 0.2, 0, 0, 0.3);
   render({{front_, 1}, {hand, 5}, {wall_, 2}});
@@ -82,8 +106,20 @@ TEST_F(EdgeRefinementTest, AHandOverTheEdgeDoesNotBendIt) {
   Rectangle start = front_;
   start.height += 0.008;
   const PlaneChart chart = *PlaneChart::at(front_.plane(), frame_.camera, frame_.camera.project(front_.center()));
-  const RefinedRectangle refined = refineEdges(chart, region, frame_, chart.fromSpace(start), {});
+  const RefinedRectangle refined = refineEdges(chart, region, {frame_, {}}, chart.fromSpace(start), {});
   EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.003);
+}
+
+TEST_F(EdgeRefinementTest, AHandleBesideHalfAnEdgeDoesNotBendIt) {
+  // It stands 2 cm before the front at its right edge, and the mask does not know.
+  Rectangle handle = front_;
+  handle.width = 0.03;
+  handle.height = 0.062;
+  handle.pose.translation() = front_.pose * Eigen::Vector3d(front_.width / 2 - 0.012, -0.035, 0.02);
+  render({{front_, 1}, {handle, 5}, {wall_, 2}});
+  const RefinedRectangle refined = refine(front_);
+  EXPECT_TRUE(refined.confirmed[kEdgePlusX]);
+  EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.004);  // two pixels
 }
 
 TEST_F(EdgeRefinementTest, ChangesNothingWithoutImages) {

@@ -4,28 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <limits>
+
+#include "edge_profiles.h"
 
 namespace cabinet_articulation::core {
 namespace {
-
-/// Residuals, as a projected grid gives them, of surfaces whose disparity relative to the plane is `disparity(x)` at x px
-/// outward; NaN: none in reach.
-EdgeProfile::Residuals profileOf(const std::function<double(double)>& disparity) {
-  EdgeProfile::Residuals result;
-  result.weight.fill(1);
-  for (int k = 0; k < EdgeProfile::kStrips; ++k) {
-    const double d = disparity(EdgeProfile::offset(k) + EdgeProfile::kStripWidth / 2);
-    for (int i = 0; i < EdgeProfile::kOffsets; ++i) {
-      const double miss = i - EdgeProfile::kOnPlane - d;
-      result.residual[k][i] = std::isnan(d) ? 0.9F : static_cast<float>(0.02 + 0.88 * (1 - std::exp(-miss * miss / 5.6)));
-    }
-  }
-  return result;
-}
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 TEST(EdgeStepTest, FindsASharpEdge) {
   for (const double edge : {-9.0, -2.5, 0.0, 3.0}) {

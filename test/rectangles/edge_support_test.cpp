@@ -60,6 +60,21 @@ TEST_F(EdgeSupportTest, MissingDepthCountsHalfAndOtherRegionsAQuarter) {
   EXPECT_EQ(support()[kEdgePlusX], 1);
 }
 
+TEST_F(EdgeSupportTest, AnEdgeThatMayGoOnBehindItsNeighbourCountsLessTheFartherItMay) {
+  paint(beyond_right_, kOtherPlane);
+  const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, {318, 243});
+  float before = 1;
+  for (const double hidden : {0.001, 0.004, 0.008}) {
+    const auto share = edgeSupport(chart, chart.fromSpace(front_), region_.mask, {}, {{{}, hidden, {}, {}}});
+    EXPECT_LT(share[kEdgePlusX], before) << hidden;
+    EXPECT_GT(share[kEdgePlusX], 0) << hidden;
+    EXPECT_EQ(share[kEdgeMinusX], 1);
+    before = share[kEdgePlusX];
+  }
+  const auto lost = edgeSupport(chart, chart.fromSpace(front_), region_.mask, {}, {{{}, 0.02, {}, {}}});
+  EXPECT_EQ(lost[kEdgePlusX], 0);
+}
+
 TEST_F(EdgeSupportTest, BlockMatchingMayCarryTheFrontAFewPixelsOutward) {
   paint({425, 0, 8, 480}, kInPlane);
   EXPECT_EQ(support()[kEdgePlusX], 1);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "front_scene.h"
+#include "hinged_door.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -139,6 +140,26 @@ TEST_F(RectangleDetectorTest, ATracksSizeIsUsedWhereAnArmHidesTheFront) {
   const auto guided = RectangleDetector(config_).process(frame_, {region}, {expected});
   ASSERT_EQ(guided.size(), 1U);
   EXPECT_LT(cornerError(front, guided[0].rectangle), 0.01);
+}
+
+TEST_F(RectangleDetectorTest, ATracksSizeIsUsedWhereADoorGoesBehindItsNeighbour) {
+  const HingedDoor scene(1.2);
+  ASSERT_GT(scene.hidden, 0.01);
+  const Rectangle wall = exampleFront({0, 0, 1.8}, 3, 3, 0, 0, 0);
+  const std::vector<TexturedRectangle> surfaces{{scene.door, 1}, {scene.neighbour, 2}, {wall, 3}};
+  frame_.left = renderView(surfaces, frame_.camera, false);
+  frame_.right = renderView(surfaces, frame_.camera, true);
+  PlaneRegion door = frontRegion(scene.door, frame_.camera);
+  door.mask.setTo(kOccluded, footprint(scene.neighbour, frame_.camera));
+  const std::vector<PlaneRegion> regions{finishRegion(door), finishRegion(frontRegion(scene.neighbour, frame_.camera))};
+  const auto widthOf = [&](const std::vector<DetectedRectangle>& found) {
+    for (const DetectedRectangle& detection : found)
+      if (detection.region == 0) return alignDescription(detection.rectangle, scene.door, true).width;
+    return 0.0;
+  };
+  RectangleDetector detector(config_);
+  EXPECT_NEAR(widthOf(detector.process(frame_, regions)), scene.door.width - scene.hidden, 0.004);
+  EXPECT_NEAR(widthOf(detector.process(frame_, regions, {scene.door})), scene.door.width, 0.001);
 }
 
 TEST_F(RectangleDetectorTest, AnObservedSizeBeatsARememberedOne) {

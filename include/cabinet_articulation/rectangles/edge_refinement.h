@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "cabinet_articulation/rectangles/edge_profile.h"
 #include "cabinet_articulation/rectangles/rectangles_config.h"
@@ -12,12 +14,19 @@ namespace cabinet_articulation::core {
 struct RefinedRectangle {
   PlaneRectangle rectangle;
   std::array<bool, 4> confirmed{{false, false, false, false}};  ///< edges that the images place, in the order of `Edge`
+  std::array<std::optional<double>, 4> hidden;  ///< [m] of edges that end at a crease: how far they may go on behind it
+};
+
+/// Where a rectangle lies.
+struct Surroundings {
+  const DepthFrame& frame;
+  const std::vector<PlaneRegion>& regions;  ///< all of the frame
 };
 
 /// Moves each edge to where the two images stop agreeing on the plane, and turns the rectangle to suit both halves of its
 /// edges (ours: block matching draws edges 1-5 mm too far out or in, and the sign depends on the scene). An edge without
 /// contrast stays where it is. Without images nothing changes.
-RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const DepthFrame& frame,
+RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config);
 
 }  // namespace cabinet_articulation::core

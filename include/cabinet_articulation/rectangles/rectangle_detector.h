@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/planes/plane_region.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
+#include "cabinet_articulation/rectangles/edge_refinement.h"
 #include "cabinet_articulation/rectangles/rectangles_config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
@@ -34,7 +35,7 @@ class RectangleDetector {
   std::vector<RectangleCandidate> search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
                                          const std::vector<Rectangle>& expected);
   /// Edges from the images, acceptance and covariance.
-  std::optional<SupportedRectangle> refine(const DepthFrame& frame, const std::vector<Rectangle>& expected,
+  std::optional<SupportedRectangle> refine(const Surroundings& surroundings, const std::vector<Rectangle>& expected,
                                            RectangleCandidate* candidate);
 
   RectanglesConfig config_;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/rectangles/crease.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr int kSamples = 16;                      ///< along the edge
+constexpr double kDistances[] = {6, 10, 14, 18};  ///< [px] outward; block matching blurs what lies nearer
+constexpr double kLeastShare = 0.5;               ///< of the samples that a neighbour has
+constexpr double kLeastAngle = 0.12;              ///< [rad] planes that differ less may be two fits of one surface
+constexpr float kEvidenceInside = 1;              ///< sum of log residuals that the neighbour alone must explain worse
+constexpr float kEvidenceOutside = 2;             ///< and that the rectangle's plane alone must
+constexpr float kSmallestResidual = 0.005F;       ///< of a plane refined on the images itself
+
+float logResidual(const EdgeProfile::Residuals& residuals, int strip) {
+  return std::log(std::max(residuals.residual[strip][EdgeProfile::kOnPlane], kSmallestResidual));
+}
+
+}  // namespace
+
+std::optional<Neighbour> neighbourBeyond(const ImageEdge& edge, const PlaneRegion& region,
+                                         const std::vector<PlaneRegion>& regions) {
+  const PlaneRegion* neighbour = nullptr;
+  int most = static_cast<int>(kLeastShare * kSamples * std::size(kDistances));
+  for (const PlaneRegion& other : regions) {
+    if (other.mask.data == region.mask.data) continue;
+    int count = 0;
+    for (int i = 0; i < kSamples; ++i)
+      for (const double distance : kDistances) {
+        const Eigen::Vector2d pixel = edge.a + (i + 0.5) / kSamples * (edge.b - edge.a) + distance * edge.outward;
+        const cv::Point nearest(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
+        count += cv::Rect({0, 0}, other.mask.size()).contains(nearest) && other.mask(nearest) == kInPlane;
+      }
+    if (count <= most) continue;
+    most = count;
+    neighbour = &other;
+  }
+  if (!neighbour) return std::nullopt;
+  const auto difference = [&](const Eigen::Vector2d& pixel) {
+    return neighbour->disparity_plane.at(pixel.x(), pixel.y()) - region.disparity_plane.at(pixel.x(), pixel.y());
+  };
+  const Eigen::Vector2d middle = (edge.a + edge.b) / 2;
+  const double cosine = std::min(neighbour->plane.normal.dot(region.plane.normal), 1.0);
+  const double angle = std::acos(cosine);
+  if (angle < kLeastAngle) return std::nullopt;
+  return Neighbour{difference(middle), difference(middle + edge.outward) - difference(middle), angle, neighbour->disparity_plane};
+}
+
+std::optional<Crease> findCrease(const EdgeProfile::Residuals& on_plane, const EdgeProfile::Residuals& on_neighbour,
+                                 const Neighbour& neighbour) {
+  float sum = 0, least = 0;  // of how much worse the rectangle's plane explains the strips
+  int begin = 0;
+  for (int k = 0; k < EdgeProfile::kStrips; ++k) {
+    sum += on_plane.weight[k] * (logResidual(on_plane, k) - logResidual(on_neighbour, k));
+    if (sum >= least) continue;
+    least = sum;
+    begin = k + 1;
+  }
+  const Crease crease{EdgeProfile::offset(begin), neighbour.at(EdgeProfile::offset(begin))};
+  if (-least < kEvidenceInside || sum - least < kEvidenceOutside || crease.nearer < 0) return std::nullopt;
+  return crease;
+}
+
+}  // namespace cabinet_articulation::core
