@@ -17,7 +17,8 @@ debian_packages=(
   libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libtf2-msgs-dev tf2-tools
   libmessage-filters-dev libcv-bridge-dev libimage-transport-dev libimage-geometry-dev libimage-proc-dev ros-image-proc
   libstereo-image-proc-dev ros-stereo-image-proc
-  ros-robot-state-publisher librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
+  ros-robot-state-publisher joint-state-publisher
+  librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure rviz
   # for rostopic echo
   python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs

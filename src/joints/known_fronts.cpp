@@ -6,6 +6,15 @@
 
 namespace cabinet_articulation::core {
 
+namespace {
+
+/// An arm that passes may look like a joint, in 4 frames or so; no front opens that fast (ours).
+constexpr int kObservations = 10;
+
+bool isWorthKeeping(const LearnedModel& model) { return isJoint(model) && model.observations >= kObservations; }
+
+}  // namespace
+
 void KnownFronts::update(std::vector<Track> tracks, const std::vector<LearnedModel>& models) {
   std::map<std::uint32_t, KnownFront> seen;
   for (const LearnedModel& model : models) seen[model.id].model = model;
@@ -15,7 +24,7 @@ void KnownFronts::update(std::vector<Track> tracks, const std::vector<LearnedMod
   }
   live_.swap(seen);
   for (auto& [id, front] : seen)
-    if (live_.count(id) == 0 && isJoint(front.model)) remembered_[id] = std::move(front);
+    if (live_.count(id) == 0 && isWorthKeeping(front.model)) remembered_[id] = std::move(front);
   for (const auto& [id, front] : live_)
     if (isJoint(front.model)) remembered_.erase(id);
 }
@@ -41,7 +50,7 @@ const LearnedModel& KnownFronts::at(std::uint32_t id) const {
 std::vector<KnownFront> KnownFronts::joints() const {
   std::map<std::uint32_t, KnownFront> all = remembered_;
   for (const auto& [id, front] : live_)
-    if (isJoint(front.model)) all[id] = front;
+    if (isWorthKeeping(front.model)) all[id] = front;
   std::vector<KnownFront> result;
   for (auto& entry : all) result.push_back(std::move(entry.second));
   return result;

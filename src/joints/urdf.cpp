@@ -13,10 +13,11 @@ namespace cabinet_articulation::core {
 namespace {
 
 // What a camera cannot see, and a description must have (ours: an ordinary kitchen front).
-constexpr double kThickness = 0.02;    // [m]
-constexpr double kDensity = 700;       // [kg/m^3] wood
-constexpr double kEffort = 100;        // [N or Nm]
-constexpr double kVelocity = 1;        // [m/s or rad/s]
+constexpr double kThickness = 0.02;  // [m]
+constexpr double kDensity = 700;     // [kg/m^3] wood
+constexpr double kEffort = 100;      // [N or Nm]
+constexpr double kVelocity = 1;      // [m/s or rad/s]
+constexpr char kMaterial[] = "wood";
 constexpr double kLeastLength = 0.01;  // [m] of a panel's side, for a positive inertia
 
 urdf::Pose toPose(const Eigen::Isometry3d& pose) {
@@ -44,6 +45,16 @@ urdf::InertialSharedPtr inertiaOf(const urdf::Box& box) {
   inertial->iyy = inertial->mass / 12 * (d.x * d.x + d.z * d.z);
   inertial->izz = inertial->mass / 12 * (d.x * d.x + d.y * d.y);
   return inertial;
+}
+
+urdf::MaterialSharedPtr wood() {
+  const auto material = std::make_shared<urdf::Material>();
+  material->name = kMaterial;
+  material->color.r = 0.76F;
+  material->color.g = 0.6F;
+  material->color.b = 0.42F;
+  material->color.a = 1;
+  return material;
 }
 
 class Description {
@@ -107,6 +118,8 @@ class Description {
     link->visual = std::make_shared<urdf::Visual>();
     link->visual->origin = panelPose();
     link->visual->geometry = box;
+    link->visual->material_name = kMaterial;
+    link->visual->material = wood();
     link->visual_array.push_back(link->visual);
     link->collision = std::make_shared<urdf::Collision>();
     link->collision->origin = panelPose();

@@ -42,8 +42,11 @@ class ArticulationNodelet : public StageNodelet {
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
     models_ = advertise<ArticulationModelArray>("models");
-    // A robot_state_publisher that is started late needs to know where a front was left.
-    joint_states_ = advertise<sensor_msgs::JointState>("joint_states", true);
+    // A robot_state_publisher that is started late needs to know where the fronts were left.
+    joint_states_ = advertise<sensor_msgs::JointState>("joint_states", [this](const auto& subscriber) {
+      const sensor_msgs::JointState left = services_->lastJointStates(prefix_);
+      if (!left.name.empty()) subscriber.publish(left);
+    });
   }
 
   void subscribe() override {

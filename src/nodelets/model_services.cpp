@@ -105,6 +105,13 @@ void ModelServices::update(std::vector<core::Track> tracks, const std::vector<co
   known_.update(std::move(tracks), models);
 }
 
+sensor_msgs::JointState ModelServices::lastJointStates(const std::string& prefix) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<core::LearnedModel> models;
+  for (const core::KnownFront& front : known_.joints()) models.push_back(front.model);
+  return cabinet_articulation::lastJointStates(models, frame_id_, prefix);
+}
+
 void ModelServices::setConfig(const core::ArticulationConfig& config) {
   std::lock_guard<std::mutex> lock(mutex_);
   config_ = config;

@@ -10,6 +10,7 @@
 #include <cabinet_articulation/SaveModels.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
@@ -57,6 +58,9 @@ class ModelServices {
 
   /// What one frame gave.
   void update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models);
+
+  /// Where all joints that are known were left, in view or not.
+  sensor_msgs::JointState lastJointStates(const std::string& prefix) const;
 
   /// For fit_track.
   void setConfig(const core::ArticulationConfig& config);

@@ -60,11 +60,15 @@ class StageNodelet : public nodelet::Nodelet {
     live_settings_ = std::make_unique<LiveSettings>(getPrivateNodeHandle(), describeForTuning<Config>(), toTuning(config), set);
   }
 
-  /// An output whose subscribers make the stage work. Latched: who subscribes later gets the last message at once.
+  /// An output whose subscribers make the stage work. `greet` tells a new subscriber what it missed.
   template <class Message>
-  ros::Publisher advertise(const std::string& topic, bool latched = false) {
-    const auto changed = [this](const ros::SingleSubscriberPublisher&) { followListeners(); };
-    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, changed, changed, ros::VoidConstPtr(), latched));
+  ros::Publisher advertise(const std::string& topic, const ros::SubscriberStatusCallback& greet = {}) {
+    const auto left = [this](const ros::SingleSubscriberPublisher&) { followListeners(); };
+    const auto came = [this, greet](const ros::SingleSubscriberPublisher& subscriber) {
+      if (greet) greet(subscriber);
+      followListeners();
+    };
+    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, came, left));
     return outputs_.back();
   }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/ros/pose_conversions.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -18,6 +20,11 @@ geometry_msgs::TransformStamped transform(const Eigen::Isometry3d& T_parent_chil
   message.header.frame_id = parent;
   message.child_frame_id = child;
   return message;
+}
+
+void addState(const core::LearnedModel& joint, const std::string& prefix, sensor_msgs::JointState* state) {
+  state->name.push_back(prefix + "_" + std::to_string(joint.id) + "_joint");
+  state->position.push_back(joint.q);
 }
 
 }  // namespace
@@ -46,9 +53,19 @@ sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& model
   sensor_msgs::JointState state;
   state.header = header;
   for (const core::LearnedModel& model : models) {
-    if (!isJoint(model) || std::abs(model.stamp - header.stamp.toSec()) > kSameStamp) continue;
-    state.name.push_back(prefix + "_" + std::to_string(model.id) + "_joint");
-    state.position.push_back(model.q);
+    if (isJoint(model) && std::abs(model.stamp - header.stamp.toSec()) <= kSameStamp) addState(model, prefix, &state);
+  }
+  return state;
+}
+
+sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id,
+                                        const std::string& prefix) {
+  sensor_msgs::JointState state;
+  state.header.frame_id = frame_id;
+  for (const core::LearnedModel& model : models) {
+    if (!isJoint(model)) continue;
+    addState(model, prefix, &state);
+    state.header.stamp = std::max(state.header.stamp, toStamp(model.stamp));
   }
   return state;
 }

@@ -45,6 +45,17 @@ TEST(KnownFronts, RemembersJointsThatAreOutOfViewAndForgetsTheRest) {
   EXPECT_EQ(joints[1].model.id, 4u);
 }
 
+TEST(KnownFronts, AnArmThatPassedIsNotRemembered) {
+  KnownFronts known;
+  LearnedModel arm = test::doorModel();
+  arm.observations = 4;
+  see(&known, {arm});
+  EXPECT_TRUE(isJoint(known.at(3))) << "asked for while it is there, it is what it seems";
+  EXPECT_TRUE(known.joints().empty());
+  see(&known, {});
+  EXPECT_THROW(known.at(3), ModelError);
+}
+
 TEST(KnownFronts, AFrontThatCameBackKeepsWhatWasKnownUntilItMovesAgain) {
   KnownFronts known;
   known.replace({{test::doorModel(), trackOf(test::doorModel())}});

@@ -3,7 +3,9 @@
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
@@ -25,7 +27,7 @@ class ArticulationNodelet : public test::MovingFronts {
 
   void SetUp() override {
     MovingFronts::SetUp();
-    ASSERT_TRUE(spinUntil([&] { return joint_states_.connected(); }));
+    ASSERT_TRUE(spinUntil([&] { return joint_states_->connected(); }));
   }
 
   static std::string name(const core::Track& track, const std::string& what) {
@@ -40,7 +42,7 @@ class ArticulationNodelet : public test::MovingFronts {
     return result;
   }
 
-  Recorder<sensor_msgs::JointState> joint_states_{"kitchen/left/joint_states"};
+  std::optional<Recorder<sensor_msgs::JointState>> joint_states_{std::in_place, "kitchen/left/joint_states"};
   Recorder<tf2_msgs::TFMessage> tf_{"/tf"};
 };
 
@@ -63,8 +65,8 @@ TEST_F(ArticulationNodelet, LearnsADoorADrawerAndAWall) {
   EXPECT_NEAR(drawer.q, 0.3, 0.005);
   EXPECT_FALSE(models->models[2].moved);
 
-  ASSERT_FALSE(joint_states_.messages.empty());
-  const sensor_msgs::JointState& joints = *joint_states_.messages.back();
+  ASSERT_FALSE(joint_states_->messages.empty());
+  const sensor_msgs::JointState& joints = *joint_states_->messages.back();
   EXPECT_EQ(joints.name, (std::vector<std::string>{name(tracks_[0], "joint"), name(tracks_[1], "joint")}));
   EXPECT_EQ(joints.header.stamp, models->header.stamp);
   EXPECT_EQ(joints.position[0], door.q);
@@ -91,6 +93,23 @@ TEST_F(ArticulationNodelet, BroadcastsFramesOfWhatMovedAndOnlyOnceAStamp) {
   EXPECT_GT(std::abs(T_map_base.linear().col(2).y()), std::cos(0.0175)) << "z along the axis";
   const Eigen::Isometry3d T_map_front = T_map_base * tf2::transformToEigen(front);
   EXPECT_LT((T_map_front.translation() - doorPose(1.4).translation()).norm(), 0.005);
+}
+
+TEST_F(ArticulationNodelet, TellsANewSubscriberWhereAllJointsWereLeft) {
+  ASSERT_TRUE(play(250));
+  // The last frame shows the door alone.
+  observe(&tracks_[0], doorPose(1.4), 260);
+  ASSERT_TRUE(publish(260));
+  joint_states_.reset();
+  joint_states_.emplace("kitchen/left/joint_states");
+  ASSERT_TRUE(spinUntil([&] { return !joint_states_->messages.empty(); }));
+  const sensor_msgs::JointState& left = *joint_states_->messages[0];
+  for (int i = 0; i < 2; ++i) {
+    const auto joint = std::find(left.name.begin(), left.name.end(), name(tracks_[i], "joint"));
+    ASSERT_NE(joint, left.name.end()) << i;
+    EXPECT_NEAR(left.position.at(static_cast<size_t>(joint - left.name.begin())), i == 0 ? 1.4 : 0.3, 0.02) << i;
+  }
+  EXPECT_EQ(left.header.stamp, ros::Time(260));
 }
 
 TEST_F(ArticulationNodelet, ForgetsWhatIsNoLongerTracked) {

@@ -5,6 +5,9 @@
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <cstdio>
+#include <memory>
+
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "support/moving_fronts.h"
 
@@ -25,6 +28,13 @@ class RobotDescription : public test::MovingFronts {
     return exported.response;
   }
 
+  static std::string outputOf(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+    std::string output;
+    for (int c = std::fgetc(pipe.get()); c != EOF; c = std::fgetc(pipe.get())) output += static_cast<char>(c);
+    return output;
+  }
+
   std::string front(int i) const { return "cabinet_" + std::to_string(tracks_[i].id) + "_front"; }
 
   test::Recorder<sensor_msgs::JointState> joint_states_{"/cabinet/joint_states"};
@@ -36,6 +46,7 @@ TEST_F(RobotDescription, MovesAsTheModelsDo) {
   ASSERT_TRUE(play(100));
   const ExportUrdf::Response exported = exportUrdf({});
   ASSERT_TRUE(exported.success) << exported.message;
+  EXPECT_EQ(outputOf("rosrun cabinet_articulation export_urdf __ns:=/cabinet"), exported.urdf + "\n");
   nh_.setParam("/learned_description", exported.urdf);
 
   // A joint that moves on, until the publisher is up and has heard of it.

@@ -51,5 +51,16 @@ TEST(Joints, StatesAreThoseObservedInTheFrame) {
   EXPECT_EQ(state.header.stamp, ros::Time(5));
 }
 
+TEST(Joints, LastStatesAreThoseOfAll) {
+  core::LearnedModel door = test::doorModel(), drawer = test::drawerModel();
+  door.stamp = 5;
+  drawer.stamp = 4;
+  const sensor_msgs::JointState state = lastJointStates({door, drawer, test::restingModel()}, "map", "cabinet");
+  EXPECT_EQ(state.name, (std::vector<std::string>{"cabinet_3_joint", "cabinet_4_joint"}));
+  EXPECT_EQ(state.position, (std::vector<double>{door.q, drawer.q}));
+  EXPECT_EQ(state.header.frame_id, "map");
+  EXPECT_EQ(state.header.stamp, ros::Time(5));
+}
+
 }  // namespace
 }  // namespace cabinet_articulation

@@ -30,6 +30,7 @@ inline core::LearnedModel doorModel() {
   model.id = 3;
   model.type = core::JointType::kRotational;
   model.moved = true;
+  model.observations = 60;
   model.probabilities = {0.01, 0.02, 0.97, 0};
   model.origin = facingCamera(0.1, 0, 1.2);
   model.axis = Eigen::Vector3d::UnitY();
@@ -48,6 +49,7 @@ inline core::LearnedModel drawerModel() {
   model.id = 4;
   model.type = core::JointType::kPrismatic;
   model.moved = true;
+  model.observations = 60;
   model.probabilities = {0, 0.99, 0.01, 0};
   model.origin = facingCamera(0.1, 0.3, 1.3);
   model.axis = -Eigen::Vector3d::UnitZ();
@@ -64,6 +66,7 @@ inline core::LearnedModel garageModel() {
   model.id = 6;
   model.type = core::JointType::kNonparametric;
   model.moved = true;
+  model.observations = 60;
   model.probabilities = {0, 0, 0.02, 0.98};
   model.width = 0.8;
   model.height = 0.5;

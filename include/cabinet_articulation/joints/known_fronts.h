@@ -18,13 +18,14 @@ struct KnownFront {
 /// Everything that was learned: the fronts in view, and the joints that are out of view.
 class KnownFronts {
  public:
-  /// What one frame gave: the live tracks and their models. Joints that are no longer among them are remembered.
+  /// What one frame gave: the live tracks and their models. Joints that are no longer among them are remembered, if they
+  /// were seen often enough to be more than an arm that passed.
   void update(std::vector<Track> tracks, const std::vector<LearnedModel>& models);
 
   /// Throws ModelError for an id nobody knows.
   const LearnedModel& at(std::uint32_t id) const;
 
-  /// All joints, in view or not, ordered by id.
+  /// All joints worth remembering, in view or not, ordered by id.
   std::vector<KnownFront> joints() const;
 
   /// Forgets everything and remembers these.

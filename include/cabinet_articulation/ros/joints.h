@@ -25,4 +25,8 @@ std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<c
 sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header,
                                     const std::string& prefix);
 
+/// All joints with their last q, whenever that was observed; the stamp is that of the newest.
+sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id,
+                                        const std::string& prefix);
+
 }  // namespace cabinet_articulation
