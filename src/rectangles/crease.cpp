@@ -11,6 +11,8 @@ constexpr int kSamples = 16;                      ///< along the edge
 constexpr double kDistances[] = {6, 10, 14, 18};  ///< [px] outward; block matching blurs what lies nearer
 constexpr double kLeastShare = 0.5;               ///< of the samples that a neighbour has
 constexpr double kLeastAngle = 0.12;              ///< [rad] planes that differ less may be two fits of one surface
+constexpr double kFarthest = 40;                  ///< [px] that a mask may reach over the line where two planes meet
+constexpr double kNearest = 8;                    ///< [px] that it may end before it
 constexpr float kEvidenceInside = 1;              ///< sum of log residuals that the neighbour alone must explain worse
 constexpr float kEvidenceOutside = 2;             ///< and that the rectangle's plane alone must
 constexpr float kSmallestResidual = 0.005F;       ///< of a plane refined on the images itself
@@ -19,34 +21,49 @@ float logResidual(const EdgeProfile::Residuals& residuals, int strip) {
   return std::log(std::max(residuals.residual[strip][EdgeProfile::kOnPlane], kSmallestResidual));
 }
 
+/// How another region's plane lies to this one's at an edge. Nothing for planes that do not meet near it.
+std::optional<Neighbour> meeting(const ImageEdge& edge, const PlaneRegion& region, const PlaneRegion& other) {
+  const auto difference = [&](const Eigen::Vector2d& pixel) {
+    return other.disparity_plane.at(pixel.x(), pixel.y()) - region.disparity_plane.at(pixel.x(), pixel.y());
+  };
+  const Eigen::Vector2d middle = (edge.a + edge.b) / 2;
+  Neighbour neighbour;
+  neighbour.at_edge = difference(middle);
+  neighbour.slope = difference(middle + edge.outward) - neighbour.at_edge;
+  neighbour.plane = other.disparity_plane;
+  neighbour.angle = std::acos(std::min(other.plane.normal.dot(region.plane.normal), 1.0));
+  if (!(neighbour.slope > 0) || neighbour.angle < kLeastAngle) return std::nullopt;
+  const bool near = neighbour.at(-kFarthest) < 0 && neighbour.at(kNearest) > 0;
+  return near ? std::optional<Neighbour>(neighbour) : std::nullopt;
+}
+
+/// How many of some places beyond an edge belong to a region.
+int countBeyond(const ImageEdge& edge, const PlaneRegion& region) {
+  int count = 0;
+  for (int i = 0; i < kSamples; ++i)
+    for (const double distance : kDistances) {
+      const Eigen::Vector2d pixel = edge.a + (i + 0.5) / kSamples * (edge.b - edge.a) + distance * edge.outward;
+      const cv::Point nearest(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
+      count += cv::Rect({0, 0}, region.mask.size()).contains(nearest) && region.mask(nearest) == kInPlane;
+    }
+  return count;
+}
+
 }  // namespace
 
 std::optional<Neighbour> neighbourBeyond(const ImageEdge& edge, const PlaneRegion& region,
                                          const std::vector<PlaneRegion>& regions) {
-  const PlaneRegion* neighbour = nullptr;
+  std::optional<Neighbour> neighbour;
   int most = static_cast<int>(kLeastShare * kSamples * std::size(kDistances));
   for (const PlaneRegion& other : regions) {
     if (other.mask.data == region.mask.data) continue;
-    int count = 0;
-    for (int i = 0; i < kSamples; ++i)
-      for (const double distance : kDistances) {
-        const Eigen::Vector2d pixel = edge.a + (i + 0.5) / kSamples * (edge.b - edge.a) + distance * edge.outward;
-        const cv::Point nearest(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
-        count += cv::Rect({0, 0}, other.mask.size()).contains(nearest) && other.mask(nearest) == kInPlane;
-      }
+    const std::optional<Neighbour> candidate = meeting(edge, region, other);
+    const int count = candidate ? countBeyond(edge, other) : 0;
     if (count <= most) continue;
     most = count;
-    neighbour = &other;
+    neighbour = candidate;
   }
-  if (!neighbour) return std::nullopt;
-  const auto difference = [&](const Eigen::Vector2d& pixel) {
-    return neighbour->disparity_plane.at(pixel.x(), pixel.y()) - region.disparity_plane.at(pixel.x(), pixel.y());
-  };
-  const Eigen::Vector2d middle = (edge.a + edge.b) / 2;
-  const double cosine = std::min(neighbour->plane.normal.dot(region.plane.normal), 1.0);
-  const double angle = std::acos(cosine);
-  if (angle < kLeastAngle) return std::nullopt;
-  return Neighbour{difference(middle), difference(middle + edge.outward) - difference(middle), angle, neighbour->disparity_plane};
+  return neighbour;
 }
 
 std::optional<Crease> findCrease(const EdgeProfile::Residuals& on_plane, const EdgeProfile::Residuals& on_neighbour,

@@ -19,7 +19,6 @@ constexpr double kMaxTurn = 0.1;          ///< [rad] a larger turn is a mismatch
 constexpr double kHalfSigma = 0.7;        ///< [px] of the place of half an edge
 constexpr double kMaskTurnSigma = 0.006;  ///< [rad] of the turn that the mask gave
 constexpr double kMostSkew = 3;           ///< [px] between an edge's halves; more, and something lies over one of them
-constexpr double kFarthest = 24;          ///< [px] that a mask may reach over a crease
 constexpr double kTolerance = 2;          ///< [px] of a crease's place by the planes alone
 constexpr double kBoard = 0.018;          ///< [m] thickness of a front
 constexpr double kHalfDistance = 0.5;     ///< of an edge's length, between the middles of its halves
@@ -92,10 +91,9 @@ std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegio
                                        const PlaneRectangle& rectangle, Edge edge) {
   std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
   std::optional<Neighbour> neighbour = neighbourBeyond(*image, region, surroundings.regions);
-  if (!neighbour || !(neighbour->slope > 0)) return std::nullopt;
+  if (!neighbour) return std::nullopt;
   const double least = -neighbour->at_edge / neighbour->slope;
   const double most = least + kBoard * (1 + std::tan(neighbour->angle / 2)) / image->metres_per_pixel;
-  if (least > EdgeProfile::kOutside || most < -kFarthest) return std::nullopt;
   const double start = std::clamp(0.0, least, most);
   PlaneRectangle moved = rectangle;
   moved.moveEdge(edge, start * image->metres_per_pixel);

@@ -14,7 +14,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kProposedSigma = 0.05;      ///< [m] of a size good enough to be searched for: of edges that were seen in part
+constexpr double kProposedSigma = 0.03;      ///< [m] of a size good enough to be searched for: seen in two or three frames
 constexpr int kJudgedFrames = 8;             ///< a presence over fewer frames says little
 constexpr int kEstablished = 20;             ///< frames; what was seen that often is no flicker
 constexpr int kLongestFlicker = 3;           ///< frames; a longer absence is one absence, not so many misses

@@ -48,7 +48,7 @@ class NeighbourTest : public testing::Test {
   }
 
   const StereoCamera camera_ = exampleCamera();
-  const Rectangle front_ = exampleFront({0, 0, 1.3}, 0.4, 0.3, 0.3, 0, 0);
+  const Rectangle front_ = exampleFront({0, 0, 1.3}, 0.4, 0.3, -0.3, 0, 0);  ///< its right side is farther away
 };
 
 TEST_F(NeighbourTest, IsTheRegionBeyondTheEdge) {
@@ -67,6 +67,12 @@ TEST_F(NeighbourTest, IsTheRegionBeyondTheEdge) {
   const double z_front = front_.plane().intersect(camera_.ray(pixel.x(), pixel.y()))->z();
   const double expected = camera_.disparity(hinge.z()) - camera_.disparity(z_front);
   EXPECT_NEAR(neighbour->at(10), expected, 1e-3);
+}
+
+TEST_F(NeighbourTest, IsNothingThatGoesBackOrMeetsThePlaneFarAway) {
+  const Eigen::Vector3d hinge = front_.pose * Eigen::Vector3d(0.2, 0, 0);
+  EXPECT_FALSE(beyondRightEdge(exampleFront(hinge + Eigen::Vector3d(0.15, 0, 0.13), 0.3, 0.3, -0.8, 0, 0)));
+  EXPECT_FALSE(beyondRightEdge(exampleFront(hinge + Eigen::Vector3d(0.15, 0, -0.2), 0.3, 0.3, 0, 0, 0)));
 }
 
 TEST_F(NeighbourTest, IsNothingElsewhereOrInNearlyTheSamePlane) {

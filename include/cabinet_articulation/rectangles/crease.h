@@ -25,7 +25,8 @@ struct Neighbour {
   double at(double offset) const { return at_edge + slope * offset; }  ///< `offset` [px] outward from the edge
 };
 
-/// The region, other than `region` itself, that begins beyond an edge. Nothing if none lies along most of it.
+/// The region, other than `region` itself, that begins beyond an edge and comes nearer outward. Nothing if none lies along
+/// most of it, or if the two planes do not meet near it.
 std::optional<Neighbour> neighbourBeyond(const ImageEdge& edge, const PlaneRegion& region,
                                          const std::vector<PlaneRegion>& regions);
 
