@@ -55,7 +55,8 @@ class Fitter {
     int outside = 0;
     double tolerance = kTolerance;
     for (int round = 0; round < kRounds; ++round) {
-      const double cost = noise->template estimate<Problem>(Problem(samples_, noise->noise(), arc, curvature).rawResiduals());
+      const Problem problem(samples_, noise->noise(), arc, curvature);
+      const double cost = noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
       const double gain = best.cost - cost;
       if (gain > 0) best = {arc, cost};
       const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
@@ -136,7 +137,8 @@ template <bool kWithOrientation>
 double costOf(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config) {
   using Problem = ArcProblem<kWithOrientation>;
   IndependentNoise noise(config);
-  return noise.template estimate<Problem>(Problem(samples, noise.noise(), arc, Curvature::kFixed).rawResiduals());
+  const Problem problem(samples, noise.noise(), arc, Curvature::kFixed);
+  return noise.template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
 }
 
 template <bool kWithOrientation>

@@ -159,7 +159,6 @@ bool FrontLearner::update(const Track& track) {
   const MotionCriterion criterion(track, poses_, config_);
   compareMotions(criterion);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
-  // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
   for (Candidate& candidate : candidates_)
     candidate.plausible = !is_rectangle || !isNoHinge(candidate, front_, T_reference_center, config_.sigma_edge);

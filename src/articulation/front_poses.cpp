@@ -96,6 +96,9 @@ PoseTrack FrontPoses::runs(ReferencePoint point, std::size_t count) const {
 PoseTrack FrontPoses::picked(ReferencePoint point, const std::vector<std::size_t>& indices) const {
   PoseTrack track;
   track.has_orientation = config_.use_orientation;
+  // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
+  const bool is_rectangle = !entries_.empty() && entries_.front().width > 0;
+  track.hinge_sigma = is_rectangle ? config_.sigma_hinge : 0;
   track.stamps.reserve(indices.size());
   track.poses.reserve(indices.size());
   for (const std::size_t i : indices) {

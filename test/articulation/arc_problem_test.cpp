@@ -120,6 +120,30 @@ TEST(ArcProblem, JacobianGivesTheGradientForSequences) {
   }
 }
 
+TEST(ArcProblem, AHingeOffTheFrontsPlaneCosts) {
+  const Arc arc = exampleArc(2.5);
+  PoseTrack track = noisyTrack(arc, 0.005, true);
+  track.hinge_sigma = 0.05;
+  const PoseSamples samples(track);
+  const ResidualNoise noise;
+  const ArcProblem<true> problem(samples, noise, arc, Curvature::kFree);
+  const int rows = problem.NumResiduals();
+  ASSERT_EQ(rows, 6 * 12 + 1);
+  using Parameters = Eigen::Matrix<double, 9, 1>;
+  Eigen::VectorXd residuals(rows), moved(rows);
+  Eigen::Matrix<double, Eigen::Dynamic, 9> jacobian(rows, 9);
+  problem(Parameters::Zero().eval().data(), residuals.data(), jacobian.data());
+  const double off = arc.orientation.col(2).dot(arc.center() - arc.middle);
+  EXPECT_NEAR(residuals[rows - 1], off / 0.05, 1e-9);
+  EXPECT_NEAR(problem.hingeCost(), 0.5 * std::pow(off / 0.05, 2), 1e-9);
+  for (int i = 0; i < 9; ++i) {
+    const Parameters step = 1e-6 * Parameters::Unit(i);
+    problem(step.data(), moved.data(), nullptr);
+    EXPECT_NEAR(jacobian(rows - 1, i), (moved[rows - 1] - residuals[rows - 1]) / 1e-6, 1e-3) << i;
+  }
+  EXPECT_EQ((ArcProblem<true>(samples, noise, exampleArc(0), Curvature::kFixed).NumResiduals()), 6 * 12) << "lines have none";
+}
+
 TEST(ArcProblem, HalfTheSquareSumIsTheNegativeLogLikelihoodOfStudentsT) {
   const Arc arc = exampleArc(2.5);
   const PoseSamples samples(noisyTrack(arc, 0.005, false));
