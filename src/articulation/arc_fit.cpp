@@ -16,6 +16,9 @@ namespace {
 /// [nats] Fits stop when a step gains less: far less than decides anything.
 constexpr double kTolerance = 0.02;
 
+/// [nats] The same of rough fits.
+constexpr double kRoughTolerance = 0.5;
+
 /// [nats] The same where the curvature is held at its limit: there the model is wrong, and its last digits do not matter.
 constexpr double kHeldTolerance = 0.5;
 
@@ -23,6 +26,7 @@ constexpr double kHeldTolerance = 0.5;
 constexpr double kClear = 40;
 
 constexpr int kRounds = 25;
+constexpr int kContinuedRounds = 4;
 constexpr double kTrustRegion = 1e4;
 
 /// Everything that depends on whether there are orientations.
@@ -47,14 +51,16 @@ class Fitter {
   /// Alternates between the noise and the path. Where the curvature is free but leaves its limits twice, or in the end,
   /// it is held at the limit: no crawling along it. `rival` is a cost from which the result need only differ clearly.
   template <class Noise>
-  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival) {
+  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival,
+                FitEffort effort = FitEffort::kFull) {
     const double unknown = std::numeric_limits<double>::infinity();
     Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
     Arc arc = start;
     Result best{start, unknown};
     int outside = 0;
-    double tolerance = kTolerance;
-    for (int round = 0; round < kRounds; ++round) {
+    double tolerance = effort == FitEffort::kRough ? kRoughTolerance : kTolerance;
+    const int rounds = effort == FitEffort::kContinued ? kContinuedRounds : kRounds;
+    for (int round = 0; round < rounds; ++round) {
       const Problem problem(samples_, noise->noise(), arc, curvature);
       const double cost = noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
       const double gain = best.cost - cost;
@@ -127,9 +133,10 @@ class Fitter {
 };
 
 template <bool kWithOrientation>
-ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config) {
+ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, FitEffort effort,
+               const ArticulationConfig& config) {
   IndependentNoise noise(config);
-  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt);
+  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt, effort);
   return {result.arc, noise.noise().position, noise.noise().orientation};
 }
 
@@ -164,8 +171,9 @@ double arcCost(const PoseSamples& samples, const Arc& arc, const ArticulationCon
   return samples.has_orientation ? costOf<true>(samples, arc, config) : costOf<false>(samples, arc, config);
 }
 
-ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config) {
-  return samples.has_orientation ? fitFrom<true>(samples, shape, start, config) : fitFrom<false>(samples, shape, start, config);
+ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config, FitEffort effort) {
+  return samples.has_orientation ? fitFrom<true>(samples, shape, start, effort, config)
+                                 : fitFrom<false>(samples, shape, start, effort, config);
 }
 
 Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config) {

@@ -23,7 +23,8 @@ bool ArcModel::fit(const PoseTrack& track) {
   const PoseSamples samples(track);
   const bool known = fitted_to_ >= kFew && with_orientation_ == track.has_orientation;
   with_orientation_ = track.has_orientation;
-  fit_ = fitArc(samples, shape_, known ? arc_ : startOf(samples), config_);
+  fit_ =
+      known ? fitArc(samples, shape_, arc_, config_, FitEffort::kContinued) : fitArc(samples, shape_, startOf(samples), config_);
   arc_ = fit_.arc;
   orient(samples);
   fitted_to_ = track.size();

@@ -13,7 +13,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 /// Poses by which moving models are compared where that is clear: runs of a long track tell as much of its noise as all.
-constexpr std::size_t kRunPoses = 160;
+constexpr std::size_t kRunPoses = 120;
 
 constexpr std::size_t kFewPoses = 6;
 
@@ -102,21 +102,23 @@ void FrontLearner::fitModels(const PoseTrack& track, bool parametric) {
 }
 
 void FrontLearner::compareMotions(const MotionCriterion& criterion) {
+  const bool moves = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+    return candidate.model->moves() && (criterion.passes(*candidate.model, candidate.residuals, spaced_) ||
+                                        criterion.isEvidentEarly(*candidate.model, candidate.residuals, spaced_));
+  });
+  // How a front moves that stands still is not worth the time.
+  if (!moves) compared_at_ = 0;
   // What was clear stays clear until a good deal more is known.
   const bool known = compared_at_ > 0 && evidences_.size() == candidates_.size() && 10 * observations_.size() < 11 * compared_at_;
-  if (!known || !isClear()) {
+  if (moves && !(known && isClear())) {
     const double limit = 3 * config_.sigma_position;
     compareSequences(fromExplained(poses_, candidates_, limit));
-    const bool moves = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-      return candidate.model->moves() && criterion.passes(*candidate.model, candidate.residuals, spaced_);
-    });
-    if (moves && !isClear() && poses_.size() < observations_.size()) {
-      const auto all = static_cast<std::size_t>(config_.sequence_poses_max);
-      compareSequences(fromExplained(observations_.track(reference_, all), candidates_, limit));
-    }
+    const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
+    if (!isClear() && poses_.size() < std::min(more, observations_.size()))
+      compareSequences(fromExplained(observations_.runs(reference_, more), candidates_, limit));
     compared_at_ = observations_.size();
   }
-  for (std::size_t i = 0; i < candidates_.size(); ++i) candidates_[i].evidence = evidences_[i];
+  for (std::size_t i = 0; i < candidates_.size(); ++i) candidates_[i].evidence = moves ? evidences_[i] : 0;
 }
 
 void FrontLearner::compareSequences(const PoseTrack& track) {

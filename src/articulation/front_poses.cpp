@@ -73,9 +73,11 @@ double FrontPoses::sizeDeviation() const {
 }
 
 PoseTrack FrontPoses::track(ReferencePoint point, std::size_t count) const {
-  const std::size_t n = std::min(count, entries_.size());
-  std::vector<std::size_t> indices(n);
-  for (std::size_t i = 0; i < n; ++i) indices[i] = n == entries_.size() || n < 2 ? i : i * (entries_.size() - 1) / (n - 1);
+  std::size_t stride = 1;
+  while (entries_.size() > count * stride) stride *= 2;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < entries_.size(); i += stride) indices.push_back(i);
+  if (!entries_.empty()) indices.back() = entries_.size() - 1;
   return picked(point, indices);
 }
 

@@ -161,7 +161,8 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   candidate.residuals = model->residuals(track);
   candidate.log_likelihood = model->logLikelihood(track, candidate.residuals);
   const double caution = track.orientation_weights.empty() ? 1 : std::max(1.0, config.sigma_position / config.sigma_plane);
-  candidate.cautious_log_likelihood = model->logLikelihood(track, candidate.residuals, caution);
+  candidate.cautious_log_likelihood =
+      caution > 1 ? model->logLikelihood(track, candidate.residuals, caution) : candidate.log_likelihood;
   const double limit = 3 * config.sigma_position;
   candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
   candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));

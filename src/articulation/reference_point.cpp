@@ -59,11 +59,11 @@ ReferencePoint bestReferencePoint(const FrontPoses& poses, double width, double 
   };
   std::vector<Option> options;
   Arc center_arc;
-  for (const ReferencePoint point :
-       {ReferencePoint{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+  // Corners turn about a hinge as the middles of edges do.
+  for (const ReferencePoint point : {ReferencePoint{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
     const PoseSamples samples(poses.track(point, kComparedPoses));
     const Arc start = options.empty() ? bestCircleStart(samples, config) : shifted(center_arc, point.offset(width, height));
-    const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config);
+    const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config, FitEffort::kRough);
     if (options.empty()) center_arc = fit.arc;
     options.push_back({point, relativeNoise(samples, fit.arc, config)});
   }

@@ -12,6 +12,12 @@ namespace cabinet_articulation::core {
 
 enum class PathShape { kLine, kCircle };
 
+enum class FitEffort {
+  kFull,
+  kRough,     ///< to within half a nat, to tell fits apart
+  kContinued  ///< a few steps from an earlier fit; the next pose gives more
+};
+
 /// A path fitted by robust least squares: Student's t about zero, separately for positions and orientations, whose
 /// scales are estimated along.
 struct ArcFit {
@@ -24,7 +30,8 @@ struct ArcFit {
 double arcCost(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config);
 
 /// The best path near `start`. Circles respect the radius limits of `config`.
-ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config);
+ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config,
+              FitEffort effort = FitEffort::kFull);
 
 /// Inverse of the Gauss-Newton matrix at the fit, in the order of ArcProblem's parameters (9, or 6 without
 /// orientation), for independent residuals. Rows of parameters that the shape fixes are zero.

@@ -37,7 +37,7 @@ struct ArticulationConfig {
 
   bool use_orientation = true;
   int poses_max = 200;
-  int sequence_poses_max = 1000;
+  int sequence_poses_max = 320;
   int seed = 1;
 
   template <class Self, class Visitor>
@@ -91,9 +91,10 @@ struct ArticulationConfig {
     visit("covariance_factor", self.covariance_factor, Range{0.1, 100}, "",
           "on covariances, beyond the correction for correlated noise (measured, so that 95 % intervals hold 90 to 98 %)");
     visit("use_orientation", self.use_orientation, "false: positions only");
-    visit("poses_max", self.poses_max, Range{10, 100000}, "", "poses a fit uses at most, evenly spaced (measured: 200 is safe)");
+    visit("poses_max", self.poses_max, Range{10, 100000}, "",
+          "poses a fit uses at most, evenly spaced (measured: 100 to 200 are safe)");
     visit("sequence_poses_max", self.sequence_poses_max, Range{10, 100000}, "",
-          "poses the comparison of prismatic and rotational uses at most; thinning costs right answers (measured)");
+          "poses the comparison of prismatic and rotational uses at most, in runs; less costs right answers (measured)");
     visit("seed", self.seed, Range{0, 2147483647}, "", "seed of the consensus that starts the fits");
   }
 };

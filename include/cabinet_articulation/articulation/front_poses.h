@@ -33,7 +33,8 @@ class FrontPoses {
   /// [m] Mean deviation of the measured width or height, whichever varies more.
   double sizeDeviation() const;
 
-  /// The track of a reference point, at most `count` poses, evenly spaced, the first and the last among them. Sizes are
+  /// The track of a reference point, at most `count` poses and more than half as many if there are, evenly spaced, the first
+  /// and the last among them. With another pose they stay the same but for the last, until their spacing doubles. Sizes are
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseTrack track(ReferencePoint point, std::size_t count) const;
 
