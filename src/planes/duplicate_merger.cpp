@@ -5,6 +5,22 @@
 #include <cmath>
 
 namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kAgreement = 0.5;  ///< share of the tolerance: a door ajar differs by more from its neighbour
+
+/// [px] between a region's plane and another one, over all cells: what is shared lies where they cross.
+double meanDifference(const DisparityPlane& other, const GrownRegion& region, const RegionSet& set) {
+  double sum = 0;
+  for (int i = region.first_run; i < region.last_run; ++i) {
+    const CellRun& run = set.runs[i];
+    const double v = run.row * kCell;
+    for (int col = run.begin; col < run.end; ++col) sum += std::abs(other.at(col * kCell, v) - region.plane.at(col * kCell, v));
+  }
+  return sum / region.cells;
+}
+
+}  // namespace
 
 void DuplicateMerger::process(cv::Size image, RegionSet* set) {
   std::stable_sort(set->regions.begin(), set->regions.end(),
@@ -28,19 +44,14 @@ void DuplicateMerger::process(cv::Size image, RegionSet* set) {
 
 bool DuplicateMerger::isDuplicate(const GrownRegion& region, const RegionSet& set) {
   shared_.assign(kept_.size(), 0);
-  difference_.assign(kept_.size(), 0);
   for (int i = region.first_run; i < region.last_run; ++i) {
     const CellRun& run = set.runs[i];
-    const double v = run.row * kCell;
-    for (int col = run.begin; col < run.end; ++col) {
-      const int owner = owner_(run.row, col);
-      if (owner < 0) continue;
-      ++shared_[owner];
-      difference_[owner] += std::abs(kept_[owner].plane.at(col * kCell, v) - region.plane.at(col * kCell, v));
-    }
+    for (int col = run.begin; col < run.end; ++col)
+      if (owner_(run.row, col) >= 0) ++shared_[owner_(run.row, col)];
   }
   for (size_t k = 0; k < kept_.size(); ++k)
-    if (shared_[k] >= config_.duplicate_overlap * region.cells && difference_[k] <= config_.region_tolerance_px * shared_[k])
+    if (shared_[k] >= config_.duplicate_overlap * region.cells &&
+        meanDifference(kept_[k].plane, region, set) <= kAgreement * config_.region_tolerance_px)
       return true;
   return false;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/planes/plane_fit.h"
 
+#include <algorithm>
+
 namespace cabinet_articulation::core {
 namespace {
 constexpr double kCollinear = 1e-9;  ///< smaller shares of the points' spread are rounding
@@ -18,6 +20,12 @@ std::optional<DisparityPlane> PlaneFit::solve() const {
   plane.b = (vd * uu - ud * uv) / determinant;
   plane.c = mean_d - plane.a * (mean_u + kOriginU) - plane.b * (mean_v + kOriginV);
   return plane;
+}
+
+double PlaneFit::squares(const DisparityPlane& plane) const {
+  const double a = plane.a, b = plane.b, c = plane.at(kOriginU, kOriginV);
+  const double of_plane = a * a * uu_ + b * b * vv_ + c * c * n_ + 2 * (a * b * uv_ + a * c * u_ + b * c * v_);
+  return std::max(dd_ - 2 * (a * ud_ + b * vd_ + c * d_) + of_plane, 0.0);
 }
 
 }  // namespace cabinet_articulation::core

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/planes/duplicate_merger.h"
+#include "cabinet_articulation/planes/fold_search.h"
 #include "cabinet_articulation/planes/hole_filling.h"
 #include "cabinet_articulation/planes/mask_pool.h"
 #include "cabinet_articulation/planes/metric_consensus.h"
@@ -78,6 +79,7 @@ struct PlaneSegmenter::Buffers {
   MetricConsensus metric_consensus;
   PlaneConsensus consensus;
   RegionGrowing growing;
+  FoldSearch fold_search;
   DuplicateMerger merger;
   RegionCompetition competition;
   PhotometricRefinement refinement;
@@ -100,6 +102,8 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   frame.disparity = b.disparity;
   const cv::Mat1f& disparity = b.disparity;
   RegionSet& set = b.growing.process(frame, b.consensus.process(frame));
+  b.merger.process(disparity.size(), &set);
+  b.growing.unfold(frame.camera, &b.fold_search);
   b.merger.process(disparity.size(), &set);
   b.growing.trim(b.competition.processCells(b.growing.cells(), set));
   b.merger.process(disparity.size(), &set);

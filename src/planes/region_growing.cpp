@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cabinet_articulation/planes/disparity_tolerance.h"
+#include "cabinet_articulation/planes/fold_search.h"
 #include "cabinet_articulation/planes/plane_fit.h"
 
 namespace cabinet_articulation::core {
@@ -60,6 +61,47 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
     addComponents(region.plane);
   }
   return set_;
+}
+
+RegionSet& RegionGrowing::unfold(const StereoCamera& camera, FoldSearch* search) {
+  const int n = static_cast<int>(set_.regions.size());
+  for (int i = 0; i < n; ++i) {
+    const auto fold = search->process(disparity_, set_.regions[i], set_);
+    if (!fold) continue;
+    markInPlane(fold->first, camera);
+    clear(set_.regions[i], [&](int row, int col) { return fold->ahead(col * kCell, row * kCell) < 0; });
+    addLargest(fold->first);
+    markInPlane(fold->second, camera);
+    clear(set_.regions[i],
+          [&](int row, int col) { return search->nearFirst(row, col) && fold->ahead(col * kCell, row * kCell) > 0; });
+    addLargest(fold->second);
+    set_.regions[i].cells = 0;
+  }
+  auto& regions = set_.regions;
+  regions.erase(std::remove_if(regions.begin(), regions.end(), [](const GrownRegion& region) { return region.cells == 0; }),
+                regions.end());
+  return set_;
+}
+
+/// Unmarks the cells of `region` for which `out` holds.
+template <class Predicate>
+void RegionGrowing::clear(const GrownRegion& region, const Predicate& out) {
+  for (int i = region.first_run; i < region.last_run; ++i) {
+    const CellRun& run = set_.runs[i];
+    for (int col = run.begin; col < run.end; ++col)
+      if (out(run.row, col)) in_plane_(run.row, col) = 0;
+  }
+}
+
+/// The largest connected region among the cells marked.
+void RegionGrowing::addLargest(const DisparityPlane& plane) {
+  cv::erode(in_plane_, eroded_, cv::Mat());
+  cores_.process(eroded_);
+  const auto& all = cores_.components();
+  const auto core = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cells < b.cells; });
+  if (core == all.end() || core->cells * kCell * kCell < config_.min_region) return;
+  set_.regions.push_back(growBack(*core));
+  set_.regions.back().plane = fitPlane(*core).value_or(plane);
 }
 
 /// The connected regions among the cells marked.

@@ -19,6 +19,12 @@ constexpr float kBend = 0.12F;      ///< [px] of disparity; medians along the ed
 constexpr float kNoStep = 0.75F;    ///< [px] at kOutside; an edge 2 cm before the next surface, at 1.3 m
 constexpr float kNoFarStep = 1.4F;  ///< [px] at kFarOutside
 
+constexpr double kNearOutside = 4;  ///< [px]
+constexpr double kBeyond = 28;      ///< [px]
+constexpr float kNoEdge = 0.3F;     ///< [px] at kNearOutside
+constexpr float kFlat = 0.002F;     ///< [px/px] the same surface goes on
+constexpr float kShallow = 0.008F;  ///< [px/px] a margin of 0.15 px is 4 cm there, at 1.3 m
+
 /// Median of how much smaller the disparity is than the plane's, along a parallel to the edge.
 float departure(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge, double offset) {
   std::array<float, kSamples> values;
@@ -35,10 +41,19 @@ float departure(const DepthFrame& frame, const DisparityPlane& plane, const Imag
   return values[n / 2];
 }
 
+/// Whether the surface goes on beyond the edge at so small an angle that nobody can say where it bends.
+bool bendsShallowly(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge) {
+  const float near = departure(frame, plane, edge, kNearOutside);
+  const float far = departure(frame, plane, edge, kBeyond);
+  const float slope = (far - near) / static_cast<float>(kBeyond - kNearOutside);
+  return std::abs(near) < kNoEdge && std::abs(slope) > kFlat && std::abs(slope) < kShallow;
+}
+
 }  // namespace
 
 bool bendsAway(const DepthFrame& frame, const DisparityPlane& plane, const ImageEdge& edge) {
   if (frame.disparity.empty() || edge.depth < -kDeep) return false;
+  if (bendsShallowly(frame, plane, edge)) return true;
   const float inside = departure(frame, plane, edge, kInside);
   const float outside = departure(frame, plane, edge, kOutside);
   const float far_outside = departure(frame, plane, edge, kFarOutside);

@@ -37,6 +37,14 @@ TEST(DuplicateMerger, SurfacesThatOnlyShareCellsStay) {
   EXPECT_EQ(set.regions.size(), 3U);
 }
 
+TEST(DuplicateMerger, ADoorAjarIsNotItsNeighbour) {
+  RegionSet set;
+  add({0, 0, 40}, {10, 10, 110, 60}, &set);
+  add({0.005, 0, 39.5}, {60, 10, 80, 60}, &set);  // they meet at u = 100 and share what they agree about
+  DuplicateMerger(PlanesConfig()).process(kImage, &set);
+  EXPECT_EQ(set.regions.size(), 2U);
+}
+
 TEST(DuplicateMerger, OrdersBySizeAndKeepsTheLargest) {
   RegionSet set;
   add({0, 0, 30}, {10, 10, 10, 10}, &set);

@@ -32,6 +32,22 @@ TEST(PlaneFit, AveragesNoise) {
     for (const int v : {50, 150}) EXPECT_NEAR(fit.solve()->at(u, v), kPlane.at(u, v), 4 * 0.0054);
 }
 
+TEST(PlaneFit, SumsOfPartsAreThoseOfTheWhole) {
+  PlaneFit whole, left, right;
+  for (int u = 200; u < 300; u += 10)
+    for (int v = 50; v < 150; v += 10) {
+      whole.add(u, v, 0.01 * u + (v % 20 ? 0.1 : -0.1));
+      (u < 250 ? left : right).add(u, v, 0.01 * u + (v % 20 ? 0.1 : -0.1));
+    }
+  left.add(right);
+  EXPECT_EQ(left.count(), 100);
+  EXPECT_NEAR(left.solve()->a, whole.solve()->a, 1e-12);
+  EXPECT_EQ(left.meanU(), 245);
+  EXPECT_EQ(left.meanV(), 95);
+  EXPECT_NEAR(whole.squares({0.01, 0, 0}), 100 * 0.1 * 0.1, 1e-9);
+  EXPECT_NEAR(whole.squares({0.01, 0, 0.2}), 50 * (0.3 * 0.3 + 0.1 * 0.1), 1e-9);
+}
+
 TEST(PlaneFit, PointsOnALineGiveNothing) {
   PlaneFit fit;
   EXPECT_FALSE(fit.solve());

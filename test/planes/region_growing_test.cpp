@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "cabinet_articulation/planes/fold_search.h"
 #include "cabinet_articulation/planes/region_competition.h"
 #include "stereo/synthetic_pair.h"
 
@@ -108,6 +109,34 @@ TEST(RegionGrowing, TrimmedRegionsLeaveOthersTheirPixels) {
   EXPECT_NEAR(boxOf(set.regions[0], set).br().x, 205, 2);
   EXPECT_NEAR(boxOf(set.regions[1], set).x, 195, 2);
   EXPECT_EQ(boxOf(set.regions[0], set).x, 100);
+}
+
+TEST(RegionGrowing, ABentRegionBecomesTwoThatMeetAtTheFold) {
+  // A door ajar at u = 200 and its neighbour. The plane between them holds most of both.
+  const DisparityPlane fixed{0, 0, 40}, ajar{0.006, 0, 38.8}, between{0.003, 0, 39.6};
+  const DepthFrame frame = frameOf({{fixed, {100, 100, 100, 200}}, {ajar, {200, 100, 160, 200}}});
+  RegionGrowing growing{PlanesConfig()};
+  FoldSearch folds;
+  ASSERT_EQ(growing.process(frame, {between}).regions.size(), 1U);
+  const RegionSet& set = growing.unfold(frame.camera, &folds);
+  ASSERT_EQ(set.regions.size(), 2U);
+  for (const GrownRegion& region : set.regions) {
+    const bool is_door = boxOf(region, set).br().x > 300;
+    // Where the planes meet is known to within a block of 16 px.
+    EXPECT_EQ(boxOf(region, set).br().x, is_door ? 360 : boxOf(region, set).br().x) << "also what the first plane missed";
+    EXPECT_NEAR(is_door ? boxOf(region, set).x : boxOf(region, set).br().x, 200, 16);
+    EXPECT_NEAR(region.plane.a, is_door ? ajar.a : fixed.a, 3e-4);
+  }
+}
+
+TEST(RegionGrowing, AFlatRegionStaysAsItIs) {
+  const DepthFrame frame = frameOf({{kPlane, {100, 100, 300, 200}}});
+  RegionGrowing growing{PlanesConfig()};
+  FoldSearch folds;
+  growing.process(frame, {kPlane});
+  const RegionSet& set = growing.unfold(frame.camera, &folds);
+  ASSERT_EQ(set.regions.size(), 1U);
+  EXPECT_EQ(boxOf(set.regions[0], set), cv::Rect(100, 100, 300, 200));
 }
 
 TEST(RegionGrowing, NothingGrowsWhereNothingWasMeasured) {

@@ -62,6 +62,18 @@ TEST_F(RoundSurfaceTest, ASurfaceThatGoesOnDoesNotBend) {
   for (const Edge edge : kEdges) EXPECT_FALSE(bends(exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0), edge));
 }
 
+TEST_F(RoundSurfaceTest, TheHingeOfADoorThatHasJustOpenedIsNoEdge) {
+  for (const double slope : {0.06, -0.06, 0.3}) {  // [rad] of the neighbour on the left, seen from the door
+    fill([&](double x, double y) {
+      if (x > 0.2 || std::abs(y) > 0.15) return kDistance + 0.1;
+      return x < -0.2 ? kDistance + slope * (-0.2 - x) : kDistance;
+    });
+    const Rectangle door = exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0);
+    EXPECT_EQ(bends(door, kEdgeMinusX), std::abs(slope) < 0.1) << slope;
+    for (const Edge edge : {kEdgePlusX, kEdgeMinusY, kEdgePlusY}) EXPECT_FALSE(bends(door, edge)) << slope;
+  }
+}
+
 TEST_F(RoundSurfaceTest, NothingIsKnownWithoutDepth) {
   const Rectangle front = exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0);
   for (const Edge edge : kEdges) EXPECT_FALSE(bends(front, edge));

@@ -9,8 +9,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Masks of planes overlap, so one surface can be found twice. Of regions that share cells and agree about the plane there,
-/// only the largest stays.
+/// Masks of planes overlap, so one surface can be found twice. Of regions that share cells and whose planes agree over the
+/// smaller one, only the largest stays.
 class DuplicateMerger {
  public:
   explicit DuplicateMerger(const PlanesConfig& config) : config_(config) {}
@@ -24,7 +24,6 @@ class DuplicateMerger {
   PlanesConfig config_;
   cv::Mat1i owner_;  ///< index of the largest region of each cell, or -1
   std::vector<int> shared_;
-  std::vector<double> difference_;
   std::vector<GrownRegion> kept_;
 };
 

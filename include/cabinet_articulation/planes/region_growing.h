@@ -12,6 +12,8 @@
 
 namespace cabinet_articulation::core {
 
+class FoldSearch;
+
 /// Regions live on a grid of cells of 2x2 pixels; a cell is judged by its first pixel that was measured. A quarter of the
 /// pixels is plenty, because block matching makes neighbours nearly equal.
 constexpr int kCell = 2;  ///< [px]
@@ -40,6 +42,9 @@ class RegionGrowing {
   /// The last result without the cells whose residual exceeds `limit` [px, for each cell], and refitted.
   RegionSet& trim(const cv::Mat1f& limit);
 
+  /// The last result with two regions in place of each that is bent, grown from the planes on either side of its fold.
+  RegionSet& unfold(const StereoCamera& camera, FoldSearch* search);
+
   /// The disparity of each cell; far below zero where nothing was measured.
   const cv::Mat1f& cells() const { return disparity_; }
 
@@ -48,6 +53,9 @@ class RegionGrowing {
   void shrinkDisparity(const cv::Mat1f& disparity);
   void markInPlane(const DisparityPlane& plane, const StereoCamera& camera);
   std::optional<DisparityPlane> fitPlane(const ConnectedRuns::Component& core) const;
+  template <class Predicate>
+  void clear(const GrownRegion& region, const Predicate& out);
+  void addLargest(const DisparityPlane& plane);
   GrownRegion growBack(const ConnectedRuns::Component& core);
 
   PlanesConfig config_;

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/planes/fold_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "stereo/synthetic_pair.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+using Surface = std::function<double(double u, double v)>;
+
+const cv::Rect kArea(100, 80, 300, 280);
+const DisparityPlane kFixed{0.02, -0.01, 45};
+
+/// A door whose hinge is at u = 200 leaves the plane of its neighbours by this many pixels per pixel, between v = 140 and 360.
+double door(double slope, double u, double v) { return u > 200 && v > 140 ? slope * (u - 200) : 0; }
+
+/// Cells of a surface as block matching measures it: an error of 0.13 px that is much the same over a window of 15 px.
+cv::Mat1f measure(const Surface& surface) {
+  cv::Mat1f noise(480, 640);
+  cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0, 1);
+  cv::boxFilter(noise, noise, -1, {15, 15});
+  cv::Mat1f cells(240, 320, std::numeric_limits<float>::quiet_NaN());
+  for (int v = kArea.y; v < kArea.br().y; v += kCell)
+    for (int u = kArea.x; u < kArea.br().x; u += kCell)
+      cells(v / kCell, u / kCell) = static_cast<float>(kFixed.at(u, v) + surface(u, v) + 0.13 * 15 * noise(v, u));
+  return cells;
+}
+
+std::optional<Fold> search(const Surface& surface, FoldSearch* search) {
+  RegionSet set;
+  for (int row = kArea.y / kCell; row < kArea.br().y / kCell; ++row)
+    set.runs.push_back({row, kArea.x / kCell, kArea.br().x / kCell});
+  set.regions.push_back({kFixed, 0, static_cast<int>(set.runs.size()), kArea.area() / kCell / kCell});
+  return search->process(measure(surface), set.regions[0], set);
+}
+
+std::optional<Fold> search(const Surface& surface) {
+  FoldSearch fresh;
+  return search(surface, &fresh);
+}
+
+TEST(FoldSearch, FindsADoorThatHasJustOpened) {
+  for (const double slope : {0.005, 0.009, -0.009}) {  // 2 and 4 cm at 1.3 m
+    FoldSearch folds;
+    const auto fold = search([&](double u, double v) { return door(slope, u, v); }, &folds);
+    ASSERT_TRUE(fold) << slope;
+    // Noise with 0.13 px in each of some 100 windows: 0.013 px in the middle, three times that at the edges; three sigma.
+    EXPECT_NEAR(fold->first.at(400, 250), kFixed.at(400, 250) + 200 * slope, 0.12);
+    EXPECT_NEAR(fold->second.at(100, 250), kFixed.at(100, 250), 0.12);
+    EXPECT_GT(fold->ahead(390, 250), 0) << "the door, not what reaches around it, is the first";
+    EXPECT_LT(fold->ahead(110, 250), 0);
+    EXPECT_TRUE(folds.nearFirst(250 / kCell, 350 / kCell));
+    EXPECT_FALSE(folds.nearFirst(100 / kCell, 350 / kCell)) << "above the door";
+    EXPECT_FALSE(folds.nearFirst(250 / kCell, 120 / kCell)) << "beyond the hinge";
+  }
+}
+
+TEST(FoldSearch, FlatSurfacesAreOne) {
+  EXPECT_FALSE(search([](double, double) { return 0; }));
+  EXPECT_FALSE(search([](double u, double) { return 0.01 * (u - 200); })) << "another plane than the region's";
+}
+
+TEST(FoldSearch, WhatACalibrationBendsIsOne) {
+  // 0.15 px over the region, as the wrong calibration of real cameras has it.
+  EXPECT_FALSE(search([](double u, double) { return 0.15 * std::pow((u - 250) / 150, 2); }));
+}
+
+TEST(FoldSearch, AStepIsNoFold) {
+  EXPECT_FALSE(search([](double u, double) { return u > 250 ? 0.5 : 0.0; }));
+}
+
+TEST(FoldSearch, SmallRegionsAreNotLookedAt) {
+  RegionSet set;
+  for (int row = 100; row < 120; ++row) set.runs.push_back({row, 100, 150});
+  set.regions.push_back({kFixed, 0, 20, 1000});
+  FoldSearch folds;
+  EXPECT_FALSE(folds.process(measure([](double u, double v) { return door(0.02, u, v); }), set.regions[0], set));
+}
+
+TEST(FoldSearch, NothingIsKeptFromTheLastRegion) {
+  const auto ajar = [](double u, double v) { return door(0.009, u, v); };
+  FoldSearch used;
+  search([](double u, double v) { return door(-0.02, u, 480 - v); }, &used);
+  const auto again = search(ajar, &used), fresh = search(ajar);
+  ASSERT_TRUE(again && fresh);
+  EXPECT_EQ(again->first.a, fresh->first.a);
+  EXPECT_EQ(again->second.c, fresh->second.c);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
