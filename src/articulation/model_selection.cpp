@@ -13,6 +13,9 @@ namespace {
 /// Motion that is less probable is not called so yet.
 constexpr double kSure = 0.9;
 
+/// Share of all joints that one must have to be told from a few poses.
+constexpr double kSureOfJoint = 0.75;
+
 /// Probability of a motion that is evident from a few poses (few enough for their likelihood to say little).
 constexpr double kEvident = 0.99;
 
@@ -125,13 +128,23 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseTrack& track, co
   return roles;
 }
 
+/// Is it more probable than all other joints together?
+bool isSureOfJoint(const std::vector<Candidate>& candidates, const Candidate& best) {
+  double sum = 0;
+  for (const Candidate& candidate : candidates)
+    if (candidate.model->moves()) sum += std::exp(candidate.evidence - best.evidence);
+  return sum < 1 / kSureOfJoint;
+}
+
 /// Probability that the front moved, as `best` says.
-double probabilityOfMotion(const Roles& roles, const Candidate* best, const PoseTrack& track, const MotionCriterion& criterion) {
+double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles& roles, const Candidate* best,
+                           const PoseTrack& track, const MotionCriterion& criterion) {
   if (!best) return 0;
   if (!roles.still) return 1;
   const double moved = logistic(advantage(*best, *roles.still, track));
   if (!best->plausible) return std::min(moved, 0.5);
-  if (criterion.isEvidentEarly(*best->model, best->residuals, track)) return std::max(moved, kEvident);
+  if (isSureOfJoint(candidates, *best) && criterion.isEvidentEarly(*best->model, best->residuals, track))
+    return std::max(moved, kEvident);
   return moved >= kSure && criterion.passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
 }
 
@@ -177,7 +190,7 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
   const bool open = roles.free && roles.moving->outlier_share > config.outlier_share_max;
   const double beyond = open ? logistic(advantage(*roles.free, *roles.moving, track)) : 0;
   const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
-  const double moved = probabilityOfMotion(roles, best, track, criterion);
+  const double moved = probabilityOfMotion(*candidates, roles, best, track, criterion);
   Selection selection;
   selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
   selection.moved = best && moved > 0.5;

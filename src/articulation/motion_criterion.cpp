@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/motion_criterion.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,6 +14,7 @@ namespace {
 constexpr std::size_t kTriples = 200;
 constexpr std::size_t kFew = 6;           ///< fewer poses than this are few
 constexpr double kArmWidth = 0.08;        ///< [m] a few of what is narrower may be an arm
+constexpr double kFastestTurn = 3;        ///< [rad/s] planes that are taken for one another turn at once
 constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
 constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
 
@@ -128,19 +130,23 @@ bool MotionCriterion::isEvidentEarly(const ArticulationModel& model, const Model
   if (refused_ || !few_ || covariance_.isZero(0)) return false;
   if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return false;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
+  const double turn = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
+  if (turn > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return false;
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
-    const double sigma = std::sqrt(2.0) * reportedSigma(way.normalized(), last.linear() * poses.outline[k]);
-    if (way.norm() > config_.motion_to_sigma * sigma && standsOut(way.norm(), k, residuals, poses)) return true;
+    const bool certain = significance(way, last.linear() * poses.outline[k]) > config_.motion_to_sigma;
+    if (certain && standsOut(way.norm(), k, residuals, poses)) return true;
   }
   return false;
 }
 
-/// [m] Of a front's point, `lever` away from its centre, along a direction.
-double MotionCriterion::reportedSigma(const Eigen::Vector3d& direction, const Eigen::Vector3d& lever) const {
-  Eigen::Matrix<double, 6, 1> gradient;
-  gradient << direction, lever.cross(direction);
-  return std::sqrt(gradient.dot(covariance_ * gradient));
+/// Mahalanobis distance between two observations of a point that is `lever` away from the front's centre.
+double MotionCriterion::significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const {
+  Eigen::Matrix<double, 3, 6> motion;  // of the point with the front's pose
+  motion << Eigen::Matrix3d::Identity(),
+      (Eigen::Matrix3d() << 0, lever.z(), -lever.y(), -lever.z(), 0, lever.x(), lever.y(), -lever.x(), 0).finished();
+  const Eigen::Matrix3d covariance = 2 * motion * covariance_ * motion.transpose();
+  return std::sqrt(way.dot(covariance.inverse() * way));
 }
 
 /// Is the path of a point of the outline much longer than its jitter and its distance from where the model says?

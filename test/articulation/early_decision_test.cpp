@@ -63,6 +63,11 @@ TEST(EarlyDecision, WhatIsSeenNowAndThenIsNoFront) {
   EXPECT_FALSE(learn(track).moved);
 }
 
+TEST(EarlyDecision, WhatTurnsAtOnceIsNoFront) {
+  EXPECT_TRUE(learn(reported(door(), 2, 0.1, 0.2)).moved) << "1.5 rad/s";
+  EXPECT_FALSE(learn(reported(door(), 2, 0.1, 0.4)).moved) << "4.5 rad/s";
+}
+
 TEST(EarlyDecision, AHingeLiesAtTheFront) {
   // A strip of an arm that turns about an elbow far outside.
   Track track = reported(door(), 4, 0.1, 0.5);

@@ -26,15 +26,16 @@ class MotionCriterion {
   bool passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const;
 
   /// The same for a front that was seen a few times only, from two on: what counts in place of motion_min is that a point came
-  /// farther than motion_to_sigma times what the observations themselves say is uncertain. A front that has stood still for
-  /// longer is not asked, since a plane at rest that takes in a bit of what comes out of it seems to turn.
+  /// farther than motion_to_sigma times what the observations themselves say is uncertain, no faster than hands are. A front
+  /// that has stood still for longer is not asked, since a plane at rest that takes in a bit of what comes out of it seems to
+  /// turn.
   bool isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const;
 
   /// [m] Standard deviation of the points of the outline from one frame to the next, in each direction.
   const std::vector<double>& jitter() const { return jitter_; }
 
  private:
-  double reportedSigma(const Eigen::Vector3d& direction, const Eigen::Vector3d& lever) const;
+  double significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const;
   bool standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseTrack& poses) const;
 
   ArticulationConfig config_;
