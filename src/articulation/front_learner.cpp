@@ -196,7 +196,7 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
   describeRange(candidate, spaced_.stamps, &learned);
   if (learned.moved || !candidate.model->moves())
     learned.covariance = candidate.model->covariance(spaced_, learned.origin.translation(), candidate.memory);
-  describeFit(candidate, spaced_.has_orientation, config_, &learned);
+  describeFit(candidate, spaced_, config_, &learned);
   return learned;
 }
 

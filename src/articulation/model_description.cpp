@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/articulation/range_ends.h"
+#include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {
 
@@ -30,18 +31,20 @@ void describeRange(const Candidate& candidate, const std::vector<double>& stamps
   learned->q_max_is_end = candidate.model->moves() && ends.max;
 }
 
-void describeFit(const Candidate& candidate, bool with_orientation, const ArticulationConfig& config, LearnedModel* learned) {
+void describeFit(const Candidate& candidate, const PoseTrack& track, const ArticulationConfig& config, LearnedModel* learned) {
   const ModelResiduals& residuals = candidate.residuals;
   const double n = static_cast<double>(residuals.q.size());
   for (std::size_t i = 0; i < residuals.q.size(); ++i) {
     learned->position_error += residuals.position[i].norm() / n;
-    learned->orientation_error += residuals.orientation[i].norm() / n;
+    // Not as they are weighted: well observed orientations count several times.
+    if (track.has_orientation)
+      learned->orientation_error += angleBetween(track.poses[i], candidate.model->predict(residuals.q[i])) / n;
   }
   learned->params = candidate.model->parameters();
   const auto add = [learned](const char* name, double value, ModelParam::Kind kind = ModelParam::kEval) {
     learned->params.push_back({name, value, kind});
   };
-  const double parameters = candidate.model->complexity(with_orientation);
+  const double parameters = candidate.model->complexity(track.has_orientation);
   add("sigma_position", config.sigma_position, ModelParam::kPrior);
   add("sigma_orientation", config.sigma_orientation, ModelParam::kPrior);
   add("complexity", parameters);

@@ -14,7 +14,7 @@ void describeGeometry(const Candidate& candidate, const Eigen::Vector3d& referen
 /// How far it was seen to move; `stamps` [s] are those of the candidate's residuals.
 void describeRange(const Candidate& candidate, const std::vector<double>& stamps, LearnedModel* learned);
 
-/// How well it fits: mean errors and all parameters under the original release's names.
-void describeFit(const Candidate& candidate, bool with_orientation, const ArticulationConfig& config, LearnedModel* learned);
+/// How well it fits the track of its residuals: mean errors and all parameters under the original release's names.
+void describeFit(const Candidate& candidate, const PoseTrack& track, const ArticulationConfig& config, LearnedModel* learned);
 
 }  // namespace cabinet_articulation::core

@@ -43,6 +43,12 @@ TEST(EarlyDecision, TwoPosesTellADrawer) {
   }
 }
 
+TEST(EarlyDecision, ErrorsAreThoseOfTheOrientationsThemselves) {
+  const LearnedModel model = learn(reported(door(), 40, 0.1, 1.2));
+  // 3 mrad in each direction, and about the axis 5 more by which 1 mm at 20 cm misplaces q: sqrt(8 / pi / 3) of their norm.
+  EXPECT_NEAR(model.orientation_error, 0.92 * std::sqrt(3 * 0.003 * 0.003 + 0.005 * 0.005), 0.0012);
+}
+
 TEST(EarlyDecision, TwoPosesThatDoNotSayHowCertainTheyAreTellNothing) {
   Track track = reported(door(), 2, 0.1, 0.2);
   for (TrackedObservation& observation : track.observations) observation.covariance.setZero();
