@@ -9,15 +9,15 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kSamples = 32;        ///< along the edge
-constexpr int kFewest = 12;         ///< with depth
-constexpr double kDeep = -14;       ///< [px] outward from the edge
-constexpr double kInside = -4;      ///< [px]
-constexpr double kOutside = 3;      ///< [px]
-constexpr double kFarOutside = 8;   ///< [px]
-constexpr float kBend = 0.12F;      ///< [px] of disparity; medians along the edges of flat fronts stay below
-constexpr float kNoStep = 0.75F;    ///< [px] at kOutside; an edge 2 cm before the next surface, at 1.3 m
-constexpr float kNoFarStep = 1.4F;  ///< [px] at kFarOutside
+constexpr int kSamples = 32;       ///< along the edge
+constexpr int kFewest = 12;        ///< with depth
+constexpr double kDeep = -20;      ///< [px] outward from the edge
+constexpr double kInside = -7;     ///< [px] windows of block matching reach some 7 px, so that a step blurs no farther inside
+constexpr double kOutside = 3;     ///< [px]
+constexpr double kFarOutside = 8;  ///< [px]
+constexpr float kBend = 0.12F;     ///< [px] of disparity; medians along the edges of flat fronts stay below
+constexpr double kSlope = 3.6;     ///< depth over way at kOutside: 75 degrees, beyond which no surface is seen
+constexpr double kFarSlope = 2.5;  ///< at kFarOutside: 68 degrees
 
 constexpr double kNearOutside = 4;  ///< [px]
 constexpr double kBeyond = 28;      ///< [px]
@@ -57,8 +57,11 @@ bool bendsAway(const DepthFrame& frame, const DisparityPlane& plane, const Image
   const float inside = departure(frame, plane, edge, kInside);
   const float outside = departure(frame, plane, edge, kOutside);
   const float far_outside = departure(frame, plane, edge, kFarOutside);
-  return inside - departure(frame, plane, edge, kDeep) > kBend && outside > inside && outside < kNoStep &&
-         far_outside > outside && far_outside < kNoFarStep;
+  // A way of one pixel is z / f, a change of depth by as much is B / z = d / f of disparity [px].
+  const Eigen::Vector2d middle = (edge.a + edge.b) / 2;
+  const double per_pixel = plane.at(middle.x(), middle.y()) / frame.camera.fx;
+  return inside - departure(frame, plane, edge, kDeep) > kBend && outside > inside && far_outside > outside &&
+         outside < kSlope * kOutside * per_pixel && far_outside < kFarSlope * kFarOutside * per_pixel;
 }
 
 }  // namespace cabinet_articulation::core

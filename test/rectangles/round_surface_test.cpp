@@ -5,17 +5,24 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "front_scene.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kDistance = 1.3;  ///< [m]
+constexpr double kDistance = 1.3;                                                          ///< [m]
+constexpr std::pair<double, double> kCameras[] = {{450, 0.07}, {690, 0.09}, {900, 0.12}};  ///< focal length [px], baseline [m]
 
 class RoundSurfaceTest : public testing::Test {
  protected:
   RoundSurfaceTest() { frame_.camera = exampleCamera(); }
+
+  void use(double focal_length, double baseline) {
+    frame_.camera.fx = frame_.camera.fy = focal_length;
+    frame_.camera.baseline = baseline;
+  }
 
   /// The depth of each pixel's ray, from the place (x, y) at which it meets the front's plane.
   void fill(const std::function<double(double, double)>& depth) {
@@ -38,23 +45,31 @@ class RoundSurfaceTest : public testing::Test {
 TEST_F(RoundSurfaceTest, SeesTheSidesOfABinBendAway) {
   constexpr double kRadius = 0.16, kHalfWidth = 0.075, kHalfHeight = 0.15;
   const double sagitta = kHalfWidth * kHalfWidth / (2 * kRadius);
-  // The plane runs through the middle of what it holds, as a fitted one does.
-  fill([&](double x, double y) {
-    const double bend = std::abs(x) < kRadius ? kRadius - std::sqrt(kRadius * kRadius - x * x) : 1;
-    return std::abs(y) < kHalfHeight ? kDistance + bend - sagitta / 3 : 2.0;
-  });
-  const Rectangle patch = exampleFront({0, 0, kDistance}, 2 * kHalfWidth, 2 * kHalfHeight, 0, 0, 0);
-  EXPECT_TRUE(bends(patch, kEdgeMinusX));
-  EXPECT_TRUE(bends(patch, kEdgePlusX));
-  EXPECT_FALSE(bends(patch, kEdgeMinusY));
-  EXPECT_FALSE(bends(patch, kEdgePlusY));
+  for (const auto& [focal_length, baseline] : kCameras) {
+    use(focal_length, baseline);
+    // The plane runs through the middle of what it holds, as a fitted one does.
+    fill([&](double x, double y) {
+      const double bend = std::abs(x) < kRadius ? kRadius - std::sqrt(kRadius * kRadius - x * x) : 1;
+      return std::abs(y) < kHalfHeight ? kDistance + bend - sagitta / 3 : 2.0;
+    });
+    const Rectangle patch = exampleFront({0, 0, kDistance}, 2 * kHalfWidth, 2 * kHalfHeight, 0, 0, 0);
+    EXPECT_TRUE(bends(patch, kEdgeMinusX)) << focal_length;
+    EXPECT_TRUE(bends(patch, kEdgePlusX)) << focal_length;
+    EXPECT_FALSE(bends(patch, kEdgeMinusY)) << focal_length;
+    EXPECT_FALSE(bends(patch, kEdgePlusY)) << focal_length;
+  }
 }
 
-TEST_F(RoundSurfaceTest, AFlatFrontEndsInAStep) {
-  for (const double behind : {0.03, 0.3}) {
-    fill([&](double x, double y) { return std::abs(x) < 0.2 && std::abs(y) < 0.15 ? kDistance : kDistance + behind; });
-    for (const Edge edge : kEdges) EXPECT_FALSE(bends(exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0), edge)) << behind;
-  }
+TEST_F(RoundSurfaceTest, AFlatFrontEndsInAStepAlsoWhereBlockMatchingBlursIt) {
+  for (const auto& [focal_length, baseline] : kCameras)
+    for (const double behind : {0.03, 0.05, 0.3})
+      for (const int window : {1, 15}) {
+        use(focal_length, baseline);
+        fill([&](double x, double y) { return std::abs(x) < 0.2 && std::abs(y) < 0.15 ? kDistance : kDistance + behind; });
+        cv::blur(frame_.disparity, frame_.disparity, {window, window});
+        for (const Edge edge : kEdges)
+          EXPECT_FALSE(bends(exampleFront({0, 0, kDistance}, 0.4, 0.3, 0, 0, 0), edge)) << focal_length << " " << behind;
+      }
 }
 
 TEST_F(RoundSurfaceTest, ASurfaceThatGoesOnDoesNotBend) {
