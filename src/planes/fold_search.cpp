@@ -13,7 +13,7 @@ constexpr int kDirections = 12;  ///< of lines that are tried; what is between t
 constexpr int kImprovements = 8;
 constexpr double kLeastPart = 2500;       ///< [px] a smaller part has its plane from noise
 constexpr double kIndependent = 15 * 15;  ///< [px] a window of block matching, within which noise is one and the same
-constexpr double kSignificance = 30;      ///< gain in squares over their variance; chance gives 4, for four more unknowns
+constexpr double kSignificance = 100;     ///< gain in squares over their variance; chance gives 4, for four more unknowns
 constexpr double kStandsOut = 0.3;        ///< [px] calibrations bend planes by half of that
 
 constexpr int kSamplePixels = kStep * kCell * kStep * kCell;
