@@ -7,7 +7,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kAgreement = 0.5;  ///< share of the tolerance: a door ajar differs by more from its neighbour
+constexpr double kAgreement = 0.6;  ///< share of the tolerance: a door ajar differs by more from its neighbour
 
 /// [px] between a region's plane and another one, over all cells: what is shared lies where they cross.
 double meanDifference(const DisparityPlane& other, const GrownRegion& region, const RegionSet& set) {
