@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/geometry/degrees.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kStep = 2;         ///< [cells] between samples: block matching makes neighbours alike
 constexpr int kDirections = 12;  ///< of lines that are tried; what is between them is left to the improvement
 constexpr int kImprovements = 8;
@@ -65,7 +66,7 @@ void FoldSearch::fillBlocks(const cv::Mat1f& cells, const GrownRegion& region, c
 std::optional<FoldSearch::Halves> FoldSearch::bestLine() {
   std::optional<Halves> best;
   for (int i = 0; i < kDirections; ++i) {
-    const auto halves = bestLine(i * kPi / kDirections);
+    const auto halves = bestLine(i * 180 * kDegree / kDirections);
     if (halves && (!best || halves->squares < best->squares)) best = halves;
   }
   return best;
