@@ -59,7 +59,7 @@ class Fitter {
     Result best{start, unknown};
     int outside = 0;
     double tolerance = effort == FitEffort::kRough ? kRoughTolerance : kTolerance;
-    const int rounds = effort == FitEffort::kContinued ? kContinuedRounds : kRounds;
+    int rounds = effort == FitEffort::kContinued ? kContinuedRounds : kRounds;
     for (int round = 0; round < rounds; ++round) {
       const Problem problem(samples_, noise->noise(), arc, curvature);
       const double cost = noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
@@ -75,8 +75,9 @@ class Fitter {
       arc = limited(best.arc);
       curvature = Curvature::kFixed;
       tolerance = kHeldTolerance;
-      best.cost = unknown;
+      best = {arc, unknown};
       outside = 0;
+      rounds = std::max(rounds, round + 2);  // its cost is found in the next one
     }
     return {curvature == Curvature::kFree && shape == PathShape::kCircle ? limited(best.arc) : best.arc, best.cost};
   }

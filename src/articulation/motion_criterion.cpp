@@ -31,8 +31,10 @@ double median(std::vector<double> values) {
 
 double medianEdgeSupport(const Track& track) {
   std::vector<double> supports;
-  for (const TrackedObservation& observation : track.observations)
-    supports.push_back(std::accumulate(observation.edge_support.begin(), observation.edge_support.end(), 0.0) / 4);
+  for (const TrackedObservation& observation : track.observations) {
+    const double sum = std::accumulate(observation.edge_support.begin(), observation.edge_support.end(), 0.0);
+    if (std::isfinite(sum)) supports.push_back(sum / 4);
+  }
   return median(std::move(supports));
 }
 
@@ -50,6 +52,12 @@ double jitterOf(const PoseTrack& poses, const Eigen::Vector3d& point) {
     back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
   }
   return kToSigma * median(std::move(back));
+}
+
+/// Of the front, relative to its reference point, which is the first of the outline; the corners follow.
+Eigen::Vector3d centerOf(const std::vector<Eigen::Vector3d>& outline) {
+  const Eigen::Vector3d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector3d(0, 0, 0));
+  return sum / std::max<double>(1, static_cast<double>(outline.size()) - 1);
 }
 
 double pathOf(const ArticulationModel& model, const ModelResiduals& residuals, const Eigen::Vector3d& point) {
@@ -132,9 +140,10 @@ bool MotionCriterion::isEvidentEarly(const ArticulationModel& model, const Model
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
   const double turn = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
   if (turn > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return false;
+  const Eigen::Vector3d center = centerOf(poses.outline);
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
-    const bool certain = significance(way, last.linear() * poses.outline[k]) > config_.motion_to_sigma;
+    const bool certain = significance(way, last.linear() * (poses.outline[k] - center)) > config_.motion_to_sigma;
     if (certain && standsOut(way.norm(), k, residuals, poses)) return true;
   }
   return false;

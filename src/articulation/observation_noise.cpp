@@ -7,7 +7,9 @@
 namespace cabinet_articulation::core {
 
 bool reportsNoise(const TrackedObservation& observation) {
-  return observation.covariance.allFinite() && !observation.covariance.isZero(0);
+  const Rectangle& rectangle = observation.rectangle;
+  return observation.covariance.allFinite() && !observation.covariance.isZero(0) && rectangle.pose.matrix().allFinite() &&
+         std::isfinite(rectangle.width) && std::isfinite(rectangle.height);
 }
 
 Matrix6d totalCovariance(const TrackedObservation& observation, const ArticulationConfig& config) {

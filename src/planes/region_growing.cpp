@@ -66,15 +66,15 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
 RegionSet& RegionGrowing::unfold(const StereoCamera& camera, FoldSearch* search) {
   const int n = static_cast<int>(set_.regions.size());
   for (int i = 0; i < n; ++i) {
-    const auto fold = search->process(disparity_, set_.regions[i], set_);
+    const GrownRegion bent = set_.regions[i];
+    const auto fold = search->process(disparity_, bent, set_);
     if (!fold) continue;
     markInPlane(fold->first, camera);
-    clear(set_.regions[i], [&](int row, int col) { return fold->ahead(col * kCell, row * kCell) < 0; });
-    addLargest(fold->first);
+    clear(bent, [&](int row, int col) { return fold->ahead(col * kCell, row * kCell) < 0; });
+    addPart(bent, fold->first);
     markInPlane(fold->second, camera);
-    clear(set_.regions[i],
-          [&](int row, int col) { return search->nearFirst(row, col) && fold->ahead(col * kCell, row * kCell) > 0; });
-    addLargest(fold->second);
+    clear(bent, [&](int row, int col) { return search->nearFirst(row, col) && fold->ahead(col * kCell, row * kCell) > 0; });
+    addPart(bent, fold->second);
     set_.regions[i].cells = 0;
   }
   auto& regions = set_.regions;
@@ -93,15 +93,31 @@ void RegionGrowing::clear(const GrownRegion& region, const Predicate& out) {
   }
 }
 
-/// The largest connected region among the cells marked.
-void RegionGrowing::addLargest(const DisparityPlane& plane) {
+/// Among the cells marked, the connected region that has most of `whole`: there may be larger ones elsewhere in its plane.
+void RegionGrowing::addPart(const GrownRegion& whole, const DisparityPlane& plane) {
   cv::erode(in_plane_, eroded_, cv::Mat());
   cores_.process(eroded_);
-  const auto& all = cores_.components();
-  const auto core = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cells < b.cells; });
-  if (core == all.end() || core->cells * kCell * kCell < config_.min_region) return;
-  set_.regions.push_back(growBack(*core));
-  set_.regions.back().plane = fitPlane(*core).value_or(plane);
+  grown_.create(in_plane_.size());
+  grown_.setTo(0);
+  for (int i = whole.first_run; i < whole.last_run; ++i) {
+    const CellRun& run = set_.runs[i];
+    std::fill(grown_[run.row] + run.begin, grown_[run.row] + run.end, 255);
+  }
+  const ConnectedRuns::Component* part = nullptr;
+  std::ptrdiff_t most = 0;
+  for (const ConnectedRuns::Component& core : cores_.components()) {
+    std::ptrdiff_t shared = 0;
+    for (int i = core.first_run; i < core.last_run; ++i) {
+      const CellRun& run = cores_.runs()[i];
+      shared += std::count(grown_[run.row] + run.begin, grown_[run.row] + run.end, 255);
+    }
+    if (shared <= most) continue;
+    most = shared;
+    part = &core;
+  }
+  if (!part || part->cells * kCell * kCell < config_.min_region) return;
+  set_.regions.push_back(growBack(*part));
+  set_.regions.back().plane = fitPlane(*part).value_or(plane);
 }
 
 /// The connected regions among the cells marked.

@@ -31,7 +31,7 @@ std::optional<Neighbour> meeting(const ImageEdge& edge, const PlaneRegion& regio
   neighbour.at_edge = difference(middle);
   neighbour.slope = difference(middle + edge.outward) - neighbour.at_edge;
   neighbour.plane = other.disparity_plane;
-  neighbour.angle = std::acos(std::min(other.plane.normal.dot(region.plane.normal), 1.0));
+  neighbour.angle = std::acos(std::clamp(other.plane.normal.dot(region.plane.normal), -1.0, 1.0));
   if (!(neighbour.slope > 0) || neighbour.angle < kLeastAngle) return std::nullopt;
   const bool near = neighbour.at(-kFarthest) < 0 && neighbour.at(kNearest) > 0;
   return near ? std::optional<Neighbour>(neighbour) : std::nullopt;

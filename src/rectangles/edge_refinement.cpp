@@ -97,6 +97,7 @@ std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegio
   const double start = std::clamp(0.0, least, most);
   PlaneRectangle moved = rectangle;
   moved.moveEdge(edge, start * image->metres_per_pixel);
+  if (moved.side(edgeAxis(edge)) < rectangle.side(edgeAxis(edge)) / 2) return std::nullopt;
   image = imageEdge(chart, moved, edge);
   if (!image) return std::nullopt;
   neighbour->at_edge = neighbour->at(start);
@@ -105,9 +106,9 @@ std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegio
   const Borders borders =
       findCreases(EdgeProfile(surroundings.frame, region, *image), EdgeProfile(surroundings.frame, other, *image), *neighbour);
   EdgeShift shift = shiftTo(borders, *image, rectangle.side(1 - edgeAxis(edge)));
-  if (!shift.border || start + shift.border->offset > most + kTolerance)
-    return EdgeShift{{}, start * image->metres_per_pixel, {}, 0, 0};
-  shift.distance += start * image->metres_per_pixel;
+  const double place = start + shift.distance / image->metres_per_pixel;
+  if (!shift.border || place > most + kTolerance) return EdgeShift{{}, start * image->metres_per_pixel, {}, 0, 0};
+  shift.distance = place * image->metres_per_pixel;
   const Eigen::Vector2d middle = (image->a + image->b) / 2;
   const double disparity = region.disparity_plane.at(middle.x(), middle.y());
   shift.hidden = hiddenBehind(surroundings.frame.camera, disparity, shift.border->nearer, neighbour->angle);

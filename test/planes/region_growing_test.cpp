@@ -112,9 +112,10 @@ TEST(RegionGrowing, TrimmedRegionsLeaveOthersTheirPixels) {
 }
 
 TEST(RegionGrowing, ABentRegionBecomesTwoThatMeetAtTheFold) {
-  // A door ajar at u = 200 and its neighbour. The plane between them holds most of both.
+  // A door ajar at u = 200 and its neighbour, and apart from both a larger front in the neighbour's plane. The plane between
+  // the first two holds most of both.
   const DisparityPlane fixed{0, 0, 40}, ajar{0.006, 0, 38.8}, between{0.003, 0, 39.6};
-  const DepthFrame frame = frameOf({{fixed, {100, 100, 100, 200}}, {ajar, {200, 100, 160, 200}}});
+  const DepthFrame frame = frameOf({{fixed, {100, 100, 100, 200}}, {ajar, {200, 100, 160, 200}}, {fixed, {400, 50, 220, 400}}});
   RegionGrowing growing{PlanesConfig()};
   FoldSearch folds;
   ASSERT_EQ(growing.process(frame, {between}).regions.size(), 1U);

@@ -8,7 +8,7 @@
 
 namespace cabinet_articulation::core {
 
-/// Did the observation say how certain it is?
+/// Did the observation say how certain it is, and of what?
 bool reportsNoise(const TrackedObservation& observation);
 
 /// Covariance of an observation, with the errors that the observations of a track share and do not report (ours): edges err

@@ -55,7 +55,7 @@ class RegionGrowing {
   std::optional<DisparityPlane> fitPlane(const ConnectedRuns::Component& core) const;
   template <class Predicate>
   void clear(const GrownRegion& region, const Predicate& out);
-  void addLargest(const DisparityPlane& plane);
+  void addPart(const GrownRegion& whole, const DisparityPlane& plane);
   GrownRegion growBack(const ConnectedRuns::Component& core);
 
   PlanesConfig config_;
