@@ -14,7 +14,8 @@ if [ -f /opt/ros/noetic/setup.sh ]; then
   set -u
 fi
 # rosrun never looks into a package's build/, so the programs go to devel/ beside it.
-mkdir -p "$build" "$root/devel"
+# catkin sets the tests' PYTHONPATH when it configures, and leaves out what is not there yet.
+mkdir -p "$build" "$root/devel/lib/python3/dist-packages"
 [ -e "$build/devel" ] || ln -s ../devel "$build/devel"
 cmake -S "$root" -B "$build" -DCATKIN_DEVEL_PREFIX="$root/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
   >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log"; exit 1; }
