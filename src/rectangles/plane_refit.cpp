@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kInner = 0.95;      ///< share of the rectangle's sides that is used: edges blur
 constexpr double kManyPixels = 2e4;  ///< [px^2] larger rectangles have a plane that needs no second look
+constexpr double kFewPixels = 6e3;   ///< [px^2] smaller ones need a third: the better plane places them better
 constexpr float kTolerance = 2;      ///< [px] pixels that block matching puts farther away belong to something in front
 
 /// The cells inside a quadrilateral, as a region with the given plane.
@@ -51,13 +52,18 @@ PlaneRefit::PlaneRefit() : refinement_(PlanesConfig{}) {}
 
 void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates) {
   if (frame.left.empty() || frame.right.empty()) return;
+  for (const double most : {kManyPixels, kFewPixels}) refit(frame, most, candidates);
+}
+
+/// Of the candidates of at most so many pixels.
+void PlaneRefit::refit(const DepthFrame& frame, double most, std::vector<RectangleCandidate>* candidates) {
   set_.regions.clear();
   set_.runs.clear();
   std::vector<RectangleCandidate*> small;
   std::vector<ImageQuad> quads;
   for (RectangleCandidate& candidate : *candidates) {
     const auto quad = candidate.chart.project(candidate.rectangle);
-    if (!quad || area(*quad) > kManyPixels) continue;
+    if (!quad || area(*quad) > most) continue;
     appendRegion(*quad, candidate.region.disparity_plane, frame.left.size(), &set_);
     small.push_back(&candidate);
     quads.push_back(*quad);

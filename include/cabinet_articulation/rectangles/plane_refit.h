@@ -20,6 +20,8 @@ class PlaneRefit {
   void process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates);
 
  private:
+  void refit(const DepthFrame& frame, double most, std::vector<RectangleCandidate>* candidates);
+
   PhotometricRefinement refinement_;
   RegionSet set_;
   cv::Mat1f tolerance_;
