@@ -15,8 +15,6 @@ namespace {
 /// Poses by which moving models are compared where that is clear: runs of a long track tell as much of its noise as all.
 constexpr std::size_t kRunPoses = 120;
 
-constexpr std::size_t kFewPoses = 6;
-
 /// [nats] Between the evidence of moving models.
 constexpr double kClear = 25;
 
@@ -128,7 +126,7 @@ void FrontLearner::compareSequences(const PoseTrack& track) {
     ArticulationModel& model = *candidates_[i].model;
     if (!model.moves()) continue;
     // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
-    const bool few = track.size() < kFewPoses && !track.orientation_weights.empty();
+    const bool few = track.size() < MotionCriterion::kFew && !track.orientation_weights.empty();
     const double likelihood = few ? 0 : model.sequenceLogLikelihood(track, rival);
     evidences_[i] = likelihood - 0.5 * model.complexity(track.has_orientation) * std::log(static_cast<double>(track.size()));
     rival = std::max(rival.value_or(likelihood), likelihood);

@@ -12,7 +12,6 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kTriples = 200;
-constexpr std::size_t kFew = 6;           ///< fewer poses than this are few
 constexpr double kArmWidth = 0.08;        ///< [m] a few of what is narrower may be an arm
 constexpr double kFastestTurn = 3;        ///< [rad/s] planes that are taken for one another turn at once
 constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then

@@ -19,6 +19,8 @@ namespace cabinet_articulation::core {
  */
 class MotionCriterion {
  public:
+  static constexpr std::size_t kFew = 6;  ///< fewer poses than this are few
+
   /// `poses` are those of `track`'s front, in the order of their stamps.
   MotionCriterion(const Track& track, const PoseTrack& poses, const ArticulationConfig& config);
 
