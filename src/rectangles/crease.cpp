@@ -42,7 +42,7 @@ int countBeyond(const ImageEdge& edge, const PlaneRegion& region) {
   int count = 0;
   for (int i = 0; i < kSamples; ++i)
     for (const double distance : kDistances) {
-      const Eigen::Vector2d pixel = edge.a + (i + 0.5) / kSamples * (edge.b - edge.a) + distance * edge.outward;
+      const Eigen::Vector2d pixel = edge.at((i + 0.5) / kSamples, distance);
       const cv::Point nearest(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
       count += cv::Rect({0, 0}, region.mask.size()).contains(nearest) && region.mask(nearest) == kInPlane;
     }

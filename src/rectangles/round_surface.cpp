@@ -30,7 +30,7 @@ float departure(const DepthFrame& frame, const DisparityPlane& plane, const Imag
   std::array<float, kSamples> values;
   int n = 0;
   for (int i = 0; i < kSamples; ++i) {
-    const Eigen::Vector2d pixel = edge.a + (i + 0.5) / kSamples * (edge.b - edge.a) + offset * edge.outward;
+    const Eigen::Vector2d pixel = edge.at((i + 0.5) / kSamples, offset);
     const auto u = static_cast<int>(std::lround(pixel.x())), v = static_cast<int>(std::lround(pixel.y()));
     if (u < 0 || v < 0 || u >= frame.disparity.cols || v >= frame.disparity.rows) continue;
     const float disparity = frame.disparity(v, u);

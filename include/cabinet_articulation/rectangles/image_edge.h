@@ -16,6 +16,9 @@ struct ImageEdge {
   Eigen::Vector2d outward;      ///< unit, perpendicular to the edge in the image
   double depth = 0;             ///< [px] from the opposite edge's middle to this edge
   double metres_per_pixel = 0;  ///< how far the edge moves in the plane when its middle moves by one pixel along `outward`
+
+  /// [px] The place at this share of its length, `offset` outward.
+  Eigen::Vector2d at(double share, double offset) const { return a + share * (b - a) + offset * outward; }
 };
 
 /// Nothing for an edge that is behind the camera or shorter than a pixel.
