@@ -144,25 +144,11 @@ void makeRobust(double scale, double nu, int dimensions, Rows rows) {
   rows *= across / scale;
 }
 
-/// [m] How far the axis lies off the front's plane.
-double axisOffPlane(const Arc& arc) { return arc.orientation.col(2).dot(arc.frame.col(1)) / arc.curvature; }
-
-/// Its derivatives by a circle's parameters.
-Eigen::Matrix<double, 1, 9> axisOffPlaneGradient(const Arc& arc, bool curvature_is_free) {
-  const Eigen::Vector3d normal = arc.orientation.col(2), inward = arc.frame.col(1);
-  Eigen::Matrix<double, 1, 9> gradient = Eigen::Matrix<double, 1, 9>::Zero();
-  gradient(2) = normal.dot(arc.frame.col(2));
-  gradient(4) = -normal.dot(arc.frame.col(0));
-  if (curvature_is_free) gradient(5) = -normal.dot(inward) / arc.curvature;
-  for (int i = 0; i < 3; ++i) gradient(6 + i) = inward.dot(arc.frame.col(i).cross(normal));
-  return gradient / arc.curvature;
-}
-
 }  // namespace
 
 template <bool kWithOrientation>
 double ArcProblem<kWithOrientation>::hingeCost() const {
-  return expectsHinge() ? 0.5 * std::pow(axisOffPlane(base_) / samples_.hinge_sigma, 2) : 0;
+  return expectsHinge() ? 0.5 * samples_.hinge.residuals(base_).squaredNorm() : 0;
 }
 
 template <bool kWithOrientation>
@@ -209,9 +195,11 @@ void ArcProblem<kWithOrientation>::evaluate(const Arc& arc, double* residuals, d
     if constexpr (kColumns > 1) out_jacobian.template middleRows<kRows>(kRows * i) = block.template rightCols<NUM_PARAMETERS>();
   }
   if (!expectsHinge()) return;
-  out[rows - 1] = axisOffPlane(arc) / samples_.hinge_sigma;
-  if constexpr (kWithOrientation && kColumns > 1)
-    out_jacobian.row(rows - 1) = axisOffPlaneGradient(arc, curvature_ == Curvature::kFree) / samples_.hinge_sigma;
+  out.tail<2>() = samples_.hinge.residuals(arc);
+  if constexpr (kWithOrientation && kColumns > 1) {
+    out_jacobian.template bottomRows<2>() = samples_.hinge.jacobian(arc);
+    if (curvature_ == Curvature::kFixed) out_jacobian.template bottomRows<2>().col(5).setZero();
+  }
 }
 
 template <bool kWithOrientation>

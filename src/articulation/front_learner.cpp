@@ -74,8 +74,8 @@ bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isom
 FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config), observations_(config) { createModels(); }
 
 void FrontLearner::chooseReference(const Track& track) {
-  // The choice changes what q means, so it is only looked at again when twice as much is known.
-  constexpr std::size_t kFew = 8;
+  // The choice changes what q means, so it is only looked at again when twice as much is known; a few poses may err in it.
+  constexpr std::size_t kFew = 16;
   if (observations_.size() >= kFew && observations_.size() < 2 * reference_chosen_at_) return;
   const ReferencePoint* chosen = reference_chosen_at_ > 0 ? &reference_ : nullptr;
   const ReferencePoint best = bestReferencePoint(observations_, track.width, track.height, chosen, config_);

@@ -57,6 +57,7 @@ bool FrontPoses::update(const Track& track) {
   if (!std::is_sorted(entries_.begin(), entries_.end(), earlier)) std::stable_sort(entries_.begin(), entries_.end(), earlier);
   weighted_ =
       config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
+  size_ << track.width, track.height;
   revision_ = track.revision;
   observations_ = track.observations.size();
   first_stamp_ = track.observations.front().stamp;
@@ -99,8 +100,7 @@ PoseTrack FrontPoses::picked(ReferencePoint point, const std::vector<std::size_t
   PoseTrack track;
   track.has_orientation = config_.use_orientation;
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
-  const bool is_rectangle = !entries_.empty() && entries_.front().width > 0;
-  track.hinge_sigma = is_rectangle ? config_.sigma_hinge : 0;
+  if (size_.minCoeff() > 0) track.hinge = {config_.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
   track.stamps.reserve(indices.size());
   track.poses.reserve(indices.size());
   for (const std::size_t i : indices) {

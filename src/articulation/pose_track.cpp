@@ -7,7 +7,7 @@ PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indic
   PoseTrack out;
   out.has_orientation = track.has_orientation;
   out.outline = track.outline;
-  out.hinge_sigma = track.hinge_sigma;
+  out.hinge = track.hinge;
   const auto pick = [&indices](const auto& from, auto* to) {
     to->reserve(indices.size());
     for (std::size_t i : indices)
@@ -21,7 +21,7 @@ PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indic
   return out;
 }
 
-PoseSamples::PoseSamples(const PoseTrack& track) : has_orientation(track.has_orientation), hinge_sigma(track.hinge_sigma) {
+PoseSamples::PoseSamples(const PoseTrack& track) : has_orientation(track.has_orientation), hinge(track.hinge) {
   positions.reserve(track.size());
   orientations.reserve(track.size());
   for (const Eigen::Isometry3d& pose : track.poses) {

@@ -120,26 +120,45 @@ TEST(ArcProblem, JacobianGivesTheGradientForSequences) {
   }
 }
 
-TEST(ArcProblem, AHingeOffTheFrontsPlaneCosts) {
+TEST(HingePrior, AnAxisOnAnEdgeCostsNothing) {
+  Arc arc;  // turns about z, 0.3 m along y; the front's x lies along y
+  arc.curvature = 1 / 0.3;
+  arc.orientation << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  HingePrior prior;
+  prior.sigma = 0.05;
+  prior.half_size << 0.2, 0.35;
+  prior.center << 0.1, 0, 0;  // the reference point is 0.1 m off the centre, away from the hinge
+  EXPECT_LT(prior.residuals(arc).norm(), 1e-12);
+  arc.curvature = 1 / 0.34;
+  EXPECT_LT((prior.residuals(arc) - Eigen::Vector2d(0, 0.8)).norm(), 1e-12) << "4 cm beyond the edge";
+  arc.curvature = -1 / 0.07;
+  EXPECT_LT((prior.residuals(arc) - Eigen::Vector2d(0, -0.6)).norm(), 1e-12) << "3 cm inside of the other edge";
+  arc.curvature = 1 / 0.3;
+  arc.orientation = rotationFromVector({0, 0, 0.1}) * arc.orientation;
+  EXPECT_NEAR(std::abs(prior.residuals(arc)[0]), 0.3 * std::sin(0.1) / 0.05, 1e-12) << "off the plane";
+}
+
+TEST(ArcProblem, AHingeAwayFromWhereHingesAreCosts) {
   const Arc arc = exampleArc(2.5);
   PoseTrack track = noisyTrack(arc, 0.005, true);
-  track.hinge_sigma = 0.05;
+  track.hinge.sigma = 0.05;
+  track.hinge.center << 0.11, -0.07, 0;
+  track.hinge.half_size << 0.2, 0.35;
   const PoseSamples samples(track);
   const ResidualNoise noise;
   const ArcProblem<true> problem(samples, noise, arc, Curvature::kFree);
   const int rows = problem.NumResiduals();
-  ASSERT_EQ(rows, 6 * 12 + 1);
+  ASSERT_EQ(rows, 6 * 12 + 2);
   using Parameters = Eigen::Matrix<double, 9, 1>;
   Eigen::VectorXd residuals(rows), moved(rows);
   Eigen::Matrix<double, Eigen::Dynamic, 9> jacobian(rows, 9);
   problem(Parameters::Zero().eval().data(), residuals.data(), jacobian.data());
-  const double off = arc.orientation.col(2).dot(arc.center() - arc.middle);
-  EXPECT_NEAR(residuals[rows - 1], off / 0.05, 1e-9);
-  EXPECT_NEAR(problem.hingeCost(), 0.5 * std::pow(off / 0.05, 2), 1e-9);
+  EXPECT_TRUE(residuals.tail<2>().isApprox(track.hinge.residuals(arc), 1e-12));
+  EXPECT_NEAR(problem.hingeCost(), 0.5 * residuals.tail<2>().squaredNorm(), 1e-9);
   for (int i = 0; i < 9; ++i) {
     const Parameters step = 1e-6 * Parameters::Unit(i);
     problem(step.data(), moved.data(), nullptr);
-    EXPECT_NEAR(jacobian(rows - 1, i), (moved[rows - 1] - residuals[rows - 1]) / 1e-6, 1e-3) << i;
+    for (int row = rows - 2; row < rows; ++row) EXPECT_NEAR(jacobian(row, i), (moved[row] - residuals[row]) / 1e-6, 1e-3) << i;
   }
   EXPECT_EQ((ArcProblem<true>(samples, noise, exampleArc(0), Curvature::kFixed).NumResiduals()), 6 * 12) << "lines have none";
 }

@@ -45,7 +45,7 @@ class ArcProblem {
   ArcProblem(const PoseSamples& samples, const ResidualNoise& noise, const Arc& base, Curvature curvature)
       : samples_(samples), noise_(noise), base_(base), curvature_(curvature) {}
 
-  int NumResiduals() const { return kRows * static_cast<int>(samples_.size()) + (expectsHinge() ? 1 : 0); }
+  int NumResiduals() const { return kRows * static_cast<int>(samples_.size()) + (expectsHinge() ? 2 : 0); }
 
   /// `jacobian` (column-major) may be null; it is that of the base arc, so asked for at zero increments only: a fit
   /// moves the base with every step.
@@ -54,15 +54,15 @@ class ArcProblem {
   /// The base arc with increments applied.
   Arc arc(const double* parameters) const;
 
-  /// Negative log-likelihood of where the base arc's axis is, for fronts whose hinge is known to lie in their plane. The last
-  /// residual, if so.
+  /// Negative log-likelihood of where the base arc's axis is, where something is known about the hinge: that of the last two
+  /// residuals.
   double hingeCost() const;
 
   /// Raw residuals [m, rad] of every pose about the base arc, one column each.
   Residuals rawResiduals() const;
 
  private:
-  bool expectsHinge() const { return kWithOrientation && samples_.hinge_sigma > 0 && base_.curvature != 0; }
+  bool expectsHinge() const { return kWithOrientation && samples_.hinge.sigma > 0 && base_.curvature != 0; }
 
   /// kColumns: 1 for residuals alone, 1 + NUM_PARAMETERS with derivatives.
   template <int kColumns>

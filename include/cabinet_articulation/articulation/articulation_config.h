@@ -54,7 +54,8 @@ struct ArticulationConfig {
     visit("sigma_plane", self.sigma_plane, Range{1e-4, 1}, "m",
           "error of a front's place across its plane, at its edges too, which deviations are weighed against (measured)");
     visit("sigma_hinge", self.sigma_hinge, Range{0, 10}, "m",
-          "distance of a hinge from its front's plane, which tells where it is while the front turned but little; 0: any (ours)");
+          "distance of a hinge from its front's plane and from an edge of it, which tells where it is while the front turned but "
+          "little; 0: any (ours)");
     visit("degrees_of_freedom", self.degrees_of_freedom, Range{1, 1000}, "",
           "tails of the noise when parameters are fitted (Student's t; measured: 5, large is Gaussian)");
     visit("sigma_position_floor", self.sigma_position_floor, Range{1e-6, 0.1}, "m",

@@ -61,6 +61,7 @@ class FrontPoses {
   ArticulationConfig config_;
   std::vector<Entry> entries_;
   bool weighted_ = false;
+  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();  ///< [m] width and height, estimated over the track
   // What of the track was taken over.
   std::uint32_t revision_ = 0;
   std::size_t observations_ = 0;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "cabinet_articulation/articulation/hinge_prior.h"
+
 namespace cabinet_articulation::core {
 
 /// A pose track as the learner sees it: poses of one reference point of the front.
@@ -18,8 +20,7 @@ struct PoseTrack {
   /// everything was observed. Ignored without orientation.
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
-  /// [m] Standard deviation of a hinge's distance from the front's plane, which is that of x and y; 0: nothing is known.
-  double hinge_sigma = 0;
+  HingePrior hinge;  ///< needs orientations
   /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.
   std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
 
@@ -43,7 +44,7 @@ struct PoseSamples {
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
   std::vector<char> run_starts;  ///< one for each pose
-  double hinge_sigma;
+  HingePrior hinge;
 
   std::size_t size() const { return positions.size(); }
 };
