@@ -95,6 +95,7 @@ EdgeProfile::Residuals EdgeProfile::residuals(const std::array<Moments, kStrips>
     const Moments& m = strips[k];
     result.weight[k] = m.n < kMinPixels ? 0 : m.n / most;
     result.residual[k].fill(1);
+    result.signal[k] = 0;
     if (m.n < kMinPixels) continue;
     const float mean_l = m.l / m.n;
     const float variance_l = m.ll / m.n - mean_l * mean_l + kNoiseVariance;
@@ -104,6 +105,7 @@ EdgeProfile::Residuals EdgeProfile::residuals(const std::array<Moments, kStrips>
       const float variance_r = m.rr[lane] / m.n - mean_r * mean_r + kNoiseVariance;
       const float covariance = m.lr[lane] / m.n - mean_l * mean_r;
       result.residual[k][i] = 1 - covariance / std::sqrt(variance_l * variance_r);
+      if (i == kOnPlane) result.signal[k] = std::sqrt(std::max(covariance, 0.F));
     }
   }
   return result;

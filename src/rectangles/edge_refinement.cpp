@@ -14,9 +14,9 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kPasses = 2;                ///< the second starts from the first's edges and turn
-constexpr double kSettled = 1;            ///< [px] a smaller change needs no second pass
+constexpr double kSettled = 0.5;          ///< [px] a smaller change needs no second pass
 constexpr double kMaxTurn = 0.1;          ///< [rad] a larger turn is a mismatch
-constexpr double kHalfSigma = 0.7;        ///< [px] of the place of half an edge
+constexpr double kHalfSigma = 0.3;        ///< [px] of the place of half an edge
 constexpr double kMaskTurnSigma = 0.006;  ///< [rad] of the turn that the mask gave
 constexpr double kMostSkew = 3;           ///< [px] between an edge's halves; more, and something lies over one of them
 constexpr double kTolerance = 2;          ///< [px] of a crease's place by the planes alone

@@ -54,6 +54,35 @@ int splitLevels(const Values& values, const Values& weight) {
   return best;
 }
 
+/// The first place [strips] about `border` where the values fall below `limit`, between the middles of two strips.
+std::optional<float> fall(const Values& values, const Values& weight, int border, float limit) {
+  int last = -1;
+  for (int k = std::max(border - kBlur - 1, 0); k < std::min(border + kBlur, kStrips); ++k) {
+    if (weight[k] == 0) continue;
+    if (last >= 0 && values[last] > limit && values[k] <= limit)
+      return static_cast<float>(last) + 0.5F + static_cast<float>(k - last) * (values[last] - limit) / (values[last] - values[k]);
+    last = k;
+  }
+  return std::nullopt;
+}
+
+/// [strips] A sharp edge is blurred over a few strips about `border`. At its place half of each image is still the plane's, and
+/// so is a quarter of their covariance, however dark it is beyond: in a shadow the least of blur suffices for the images to
+/// agree. Where they agree beyond, too, because another surface follows at once, the place is where the log residual is half
+/// way.
+float placeOfEdge(const Values& on_plane, const EdgeProfile::Residuals& residuals, int border) {
+  const Values& weight = residuals.weight;
+  const auto inner = [&](const Values& values) { return mean(values, weight, border - kBlur - kLevel, border - kBlur); };
+  const auto outer = [&](const Values& values) { return mean(values, weight, border + kBlur, border + kBlur + kLevel); };
+  const float seen = inner(residuals.signal), rest = outer(residuals.signal);
+  if (rest < seen / 2)
+    if (const auto place = fall(residuals.signal, weight, border, std::hypot(seen, rest) / 2)) return *place;
+  Values agreement;
+  for (int k = 0; k < kStrips; ++k) agreement[k] = -on_plane[k];
+  const float half_way = (inner(agreement) + outer(agreement)) / 2;
+  return fall(agreement, weight, border, half_way).value_or(static_cast<float>(border));
+}
+
 double logResidual(double residual) { return std::log(std::max(residual, kSmallestResidual)); }
 
 /// At the depth that suits a strip best.
@@ -86,21 +115,13 @@ EdgeStep findStep(const EdgeProfile::Residuals& residuals, double face_slope) {
     const double explained = std::min<double>(level, leastLogResidual(residuals.residual[k]));
     evidence[k] = std::clamp(static_cast<float>(on_plane[k] - explained), 0.F, kClear);
   }
-  int border = splitLevels(evidence, residuals.weight);
+  const int border = splitLevels(evidence, residuals.weight);
   if (border == 0) return step;
-  // A sharp edge is blurred over a few strips; its place is where the residual is half way.
-  const float inner = mean(on_plane, residuals.weight, border - kBlur - kLevel, border - kBlur);
-  const float outer = mean(on_plane, residuals.weight, border + kBlur, border + kBlur + kLevel);
-  for (int k = std::max(border - kBlur, 1); k < std::min(border + kBlur, kStrips); ++k)
-    if (2 * on_plane[k - 1] < inner + outer && 2 * on_plane[k] >= inner + outer) {
-      border = k;
-      break;
-    }
   const std::optional<int> face = sideFaceBegin(residuals, level, face_slope);
   step.face = face.has_value();
-  step.offset = EdgeProfile::offset(face.value_or(border));
-  step.inside = inner;
-  step.contrast = mean(on_plane, residuals.weight, border, kStrips) - inner;
+  step.offset = EdgeProfile::offset(face ? *face : placeOfEdge(on_plane, residuals, border));
+  step.inside = mean(on_plane, residuals.weight, border - kBlur - kLevel, border - kBlur);
+  step.contrast = mean(on_plane, residuals.weight, border, kStrips) - step.inside;
   return step;
 }
 

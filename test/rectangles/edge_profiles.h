@@ -23,6 +23,7 @@ inline EdgeProfile::Residuals profileOf(const std::function<double(double)>& dis
       const double unexplained = noise + (0.9 - noise) * (1 - std::exp(-miss * miss / 5.6));
       result.residual[k][i] = std::isnan(d) ? 0.9F : static_cast<float>(unexplained);
     }
+    result.signal[k] = 40 * std::sqrt(1 - result.residual[k][EdgeProfile::kOnPlane]);
   }
   return result;
 }

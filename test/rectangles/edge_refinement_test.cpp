@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "front_scene.h"
 #include "hinged_door.h"
 
@@ -43,6 +45,23 @@ TEST_F(EdgeRefinementTest, PutsWrongEdgesAndAWrongTurnRight) {
   for (const bool confirmed : refined.confirmed) EXPECT_TRUE(confirmed);
   // One pixel is 1.9 mm; strips are half a pixel wide.
   EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.002);
+}
+
+TEST_F(EdgeRefinementTest, PlacesEdgesAlikeBeforeLightAndDark) {
+  // An open front shades what lies behind it, a closed one does not: edges that depend on it wander as the front opens.
+  for (const bool lit : {true, false}) {
+    render(lit ? std::vector<TexturedRectangle>{{front_, 1}, {wall_, 2}} : std::vector<TexturedRectangle>{{front_, 1}});
+    for (cv::Mat1b* image : {&frame_.left, &frame_.right}) cv::GaussianBlur(*image, *image, {}, 0.6);
+    Rectangle start = front_;
+    start.width += 0.004;
+    start.pose.linear() *= Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Rectangle seen = inSpace(refine(start).rectangle);
+    // One pixel is 1.9 mm.
+    EXPECT_NEAR(seen.width, front_.width, 0.0013) << lit;
+    EXPECT_NEAR(seen.height, front_.height, 0.0013) << lit;
+    EXPECT_LT((seen.center() - front_.center()).norm(), 0.0007) << lit;
+    EXPECT_LT(cornerError(front_, seen), 0.0016) << lit;
+  }
 }
 
 TEST_F(EdgeRefinementTest, LeavesAnEdgeAloneThatContinuesInThePlane) {

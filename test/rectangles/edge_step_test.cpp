@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "edge_profiles.h"
@@ -16,6 +17,18 @@ TEST(EdgeStepTest, FindsASharpEdge) {
     EXPECT_NEAR(step.offset, edge, 0.5);
     EXPECT_GT(step.contrast, 3);
     EXPECT_NEAR(step.inside, std::log(0.02), 0.1);
+  }
+}
+
+TEST(EdgeStepTest, HalfOfTheSignalPlacesAnEdgeBetweenStrips) {
+  // In a shadow little blur makes both images agree: the strips follow the plane for a pixel beyond the edge.
+  for (const double edge : {-3.1, 0.0, 0.2, 2.4}) {
+    EdgeProfile::Residuals residuals = profileOf([edge](double x) { return x < edge + 1 ? 0 : kNone; });
+    for (int k = 0; k < EdgeProfile::kStrips; ++k) {
+      const double outward = EdgeProfile::offset(k) + EdgeProfile::kStripWidth / 2 - edge;
+      residuals.signal[k] = static_cast<float>(40 * std::clamp(0.5 - outward / 2, 0.0, 1.0));  // blur of two pixels
+    }
+    EXPECT_NEAR(findStep(residuals).offset, edge, 0.05);
   }
 }
 

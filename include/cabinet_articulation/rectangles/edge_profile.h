@@ -27,6 +27,7 @@ class EdgeProfile {
     /// 1 - zero-mean normalised correlation of each strip, innermost first, at the plane's disparity + (i - kOnPlane) px.
     std::array<std::array<float, kOffsets>, kStrips> residual;
     std::array<float, kStrips> weight;  ///< [0..1] share of the pixels that a full strip has
+    std::array<float, kStrips> signal;  ///< [grey levels] what both images share on the plane: the root of their covariance
   };
 
   /// Pixels that the region's mask calls occluded are left out.
@@ -36,7 +37,7 @@ class EdgeProfile {
   Residuals half(int index) const;  ///< 0: from the edge's end `a` to its middle; 1: from there to `b`
 
   /// Offset [px] of a strip's inner border from the edge, positive outward.
-  static double offset(int strip) { return strip * kStripWidth - kInside; }
+  static double offset(double strip) { return strip * kStripWidth - kInside; }
 
  private:
   /// Sums over the pixels of a strip: of the left image l and, for each disparity, of the right image r.
