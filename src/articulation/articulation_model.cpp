@@ -58,6 +58,9 @@ std::pair<double, double> observedRange(const ModelResiduals& residuals, double 
 /// Half the squared distance in sigmas at which a pose counts as a false detection, which no model has to explain.
 constexpr double kGrossError = 12.5;
 
+/// By which noise within the plane may be larger than it is said to be: an edge that something hides moves with that.
+constexpr double kEdgeCaution = 2;
+
 /// Sum of costs; the cost of a pose that is an exception among its neighbours is theirs.
 double sumWithoutExceptions(const std::vector<double>& costs) {
   double sum = 0;
@@ -68,12 +71,31 @@ double sumWithoutExceptions(const std::vector<double>& costs) {
   return sum;
 }
 
-/// Which share of a step along the path was observed, for pose i.
-double observedAlongPath(const ArticulationModel& model, const PoseTrack& track, std::size_t i, double q) {
+/// Which share of a step along the path was observed, for pose i. `scale`: of the weights, for it to be 1.
+double observedAlongPath(const ArticulationModel& model, const PoseTrack& track, std::size_t i, double q, double scale) {
   if (track.position_weights.empty()) return 1;
   constexpr double kStep = 1e-4;
   const Eigen::Vector3d step = model.predict(q + kStep).translation() - model.predict(q - kStep).translation();
-  return step.norm() > 0 ? (track.position_weights[i] * step).norm() / step.norm() : 1;
+  const double observed = scale * (track.position_weights[i] * step).norm();
+  return step.norm() > 0 ? std::min(1.0, observed / step.norm()) : 1;
+}
+
+/// What the freedom of q costs each pose beyond its noise along the path, which is `spread` wide: the logarithm of the noise's
+/// density over that of q, as the other poses show it. Eq. (6) takes q as uniform; then a front that stands open for longer
+/// than it took to open would rather not have moved.
+std::vector<double> costsOfPlaces(const ModelResiduals& residuals, double spread) {
+  const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(residuals.path / spread), 1.0, 1000.0));
+  const double range = residuals.q_max - residuals.q_min;
+  std::vector<std::size_t> counts(steps, 0), places;
+  for (const double q : residuals.q) {
+    const double share = range > 0 ? std::clamp((q - residuals.q_min) / range, 0.0, 1.0) : 0;
+    places.push_back(std::min(steps - 1, static_cast<std::size_t>(share * static_cast<double>(steps))));
+    ++counts[places.back()];
+  }
+  std::vector<double> costs;
+  const auto others = static_cast<double>(places.size() + steps - 1);
+  for (const std::size_t place : places) costs.push_back(std::log(others / static_cast<double>(counts[place])));
+  return costs;
 }
 
 }  // namespace
@@ -87,10 +109,15 @@ ModelResiduals ArticulationModel::residuals(const PoseTrack& track) const {
     Eigen::Vector3d position = track.poses[i].translation() - predicted.translation();
     Eigen::Vector3d orientation = Eigen::Vector3d::Zero();
     if (track.has_orientation) orientation = rotationVector(track.poses[i].linear() * predicted.linear().transpose());
+    double displaced = position.norm() / config_.sigma_position, turned = orientation.norm() / config_.sigma_orientation;
     if (weighted) {
       position = track.position_weights[i] * position;
       orientation = track.orientation_weights[i] * orientation;
+      displaced = std::min(displaced, position.norm() / config_.sigma_plane);
+      turned = std::min(turned, orientation.norm() / config_.sigma_orientation);
     }
+    residuals.displaced.push_back(displaced);
+    residuals.turned.push_back(turned);
     residuals.position.push_back(position);
     residuals.orientation.push_back(orientation);
   }
@@ -104,17 +131,31 @@ ModelResiduals ArticulationModel::residuals(const PoseTrack& track) const {
 double ArticulationModel::logLikelihood(const PoseTrack& track, const ModelResiduals& residuals, double caution) const {
   const double spread = std::sqrt(2 * M_PI) * config_.sigma_position;  // of one direction's noise
   const double sigma_orientation = caution * config_.sigma_orientation;
+  const double sigma_plane = kEdgeCaution * config_.sigma_plane;
   std::vector<double> costs;
-  double sum = 0;
   for (std::size_t i = 0; i < residuals.q.size(); ++i) {
     // Eq. (9), with the factor 1/2 of a Gaussian and a sigma each for position and orientation.
-    double cost = residuals.position[i].squaredNorm() / (2 * config_.sigma_position * config_.sigma_position);
+    const double displaced = std::min(residuals.displaced[i], residuals.position[i].norm() / sigma_plane);
+    double cost = displaced * displaced / 2;
     if (track.has_orientation) cost += residuals.orientation[i].squaredNorm() / (2 * sigma_orientation * sigma_orientation);
     costs.push_back(std::min(cost, kGrossError));
-    // Eq. (6): the integral over q of a density 1 / path takes the noise along the path out and puts 1 / path in.
-    if (moves()) sum -= std::log(std::max(1.0, residuals.path * observedAlongPath(*this, track, i, residuals.q[i]) / spread));
   }
-  return sum - 3 * std::log(spread) * static_cast<double>(costs.size()) - sumWithoutExceptions(costs);  // Eq. (10)
+  const double sum = -3 * std::log(spread) * static_cast<double>(costs.size()) - sumWithoutExceptions(costs);  // Eq. (10)
+  return moves() ? sum - costOfFreedom(track, residuals, spread, config_.sigma_position / sigma_plane) : sum;
+}
+
+double ArticulationModel::costOfFreedom(const PoseTrack& track, const ModelResiduals& residuals, double spread,
+                                        double scale) const {
+  // Eq. (6): the integral over q of a density 1 / path takes the noise along the path out and puts 1 / path in.
+  const double uniform = std::log(std::max(residuals.path, 1e-9) / spread);
+  const std::vector<double> places = costsOfPlaces(residuals, spread);
+  double anywhere = 0, as_seen = 0;
+  for (std::size_t i = 0; i < residuals.q.size(); ++i) {
+    const double unseen = std::log(std::max(1e-9, observedAlongPath(*this, track, i, residuals.q[i], scale)));
+    anywhere += std::max(0.0, uniform + unseen);
+    as_seen += std::max(0.0, places[i] + unseen);
+  }
+  return std::min(anywhere, as_seen);
 }
 
 Matrix6d pointCovariance(double position_variance, double orientation_variance, const Eigen::Vector3d& lever) {

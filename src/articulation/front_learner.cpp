@@ -163,7 +163,7 @@ bool FrontLearner::update(const Track& track) {
   for (Candidate& candidate : candidates_)
     candidate.plausible = !is_rectangle || !isNoHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   const Candidate* moving = bestMoving(candidates_);
-  if (!moving || moving->outlier_share > config_.outlier_share_max) fitModels(spaced_, false);
+  if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
   selection_ = selectModel(&candidates_, spaced_, criterion, config_);
   learned_ = describe(candidates_[selection_.best]);
   return true;

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cabinet_articulation/articulation/observation_noise.h"
 
@@ -28,7 +29,14 @@ void FrontPoses::append(const TrackedObservation& observation, std::vector<Entry
   const Rectangle& rectangle = observation.rectangle;
   if (!std::isfinite(observation.stamp) || !std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
   if (!rectangle.pose.matrix().allFinite() || !isRotation(rectangle.pose.linear())) return;
-  Entry entry{observation.stamp,          rectangle.pose, rectangle.width, rectangle.height, false, Eigen::Matrix3d::Identity(),
+  const auto& support = observation.edge_support;
+  Entry entry{observation.stamp,
+              rectangle.pose,
+              rectangle.width,
+              rectangle.height,
+              std::accumulate(support.begin(), support.end(), 0.0F) / 4,
+              false,
+              Eigen::Matrix3d::Identity(),
               Eigen::Matrix3d::Identity()};
   entry.weighted = reportsNoise(observation);
   if (entry.weighted) {
@@ -103,11 +111,13 @@ PoseTrack FrontPoses::picked(ReferencePoint point, const std::vector<std::size_t
   if (size_.minCoeff() > 0) track.hinge = {config_.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
   track.stamps.reserve(indices.size());
   track.poses.reserve(indices.size());
+  track.edge_support.reserve(indices.size());
   for (const std::size_t i : indices) {
     const Entry& entry = entries_[i];
     track.stamps.push_back(entry.stamp);
     track.poses.push_back(entry.center);
     track.poses.back().translate(point.offset(entry.width, entry.height));
+    track.edge_support.push_back(entry.edge_support);
     if (!weighted_) continue;
     track.position_weights.push_back(entry.position_weight);
     track.orientation_weights.push_back(entry.orientation_weight);

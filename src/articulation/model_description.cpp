@@ -55,6 +55,7 @@ void describeFit(const Candidate& candidate, const PoseTrack& track, const Artic
   add("avg_error_position", learned->position_error);
   add("avg_error_orientation", learned->orientation_error);
   add("outlier_ratio", candidate.outlier_share);
+  add("avg_deviation", candidate.mean_deviation);
   add("loglikelihood", candidate.log_likelihood);
   add("evidence", candidate.evidence);
   add("correlation", candidate.correlation);

@@ -22,6 +22,9 @@ constexpr double kEvident = 0.99;
 /// [nats] By which a joint that is no plausible one must be better to be believed in.
 constexpr double kImplausible = 5;
 
+/// Standard deviations beyond which a pose is no worse.
+constexpr double kGross = 5;
+
 double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 /// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.
@@ -119,6 +122,10 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseTrack& track, co
       // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
       const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
       candidate.evidence += track.has_orientation ? difference : std::min(0.0, difference);
+      if (explains(*roles.moving, config) && !explains(candidate, config))
+        candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
+      if (!explains(*roles.moving, config) && explains(candidate, config))
+        candidate.evidence = std::max(candidate.evidence, roles.moving->evidence + kImplausible);
       if (!candidate.plausible && candidate.evidence < roles.moving->evidence + kImplausible)
         candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
     }
@@ -179,22 +186,30 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseTrack& track, co
   const double limit = 3 * config.sigma_position;
   candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
   candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));
-  for (const Eigen::Vector3d& residual : candidate.residuals.position)
-    candidate.outlier_share += residual.norm() > limit ? 1.0 / static_cast<double>(track.size()) : 0;
+  const double share = 1 / static_cast<double>(track.size());
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    const double deviation = std::max(candidate.residuals.displaced[i], candidate.residuals.turned[i]);
+    candidate.outlier_share += deviation > 3 ? share : 0;
+    candidate.mean_deviation += share * std::min(deviation, kGross);
+  }
   return candidate;
+}
+
+bool explains(const Candidate& candidate, const ArticulationConfig& config) {
+  return candidate.outlier_share <= config.outlier_share_max && candidate.mean_deviation <= config.deviation_max;
 }
 
 Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion& criterion,
                       const ArticulationConfig& config) {
   const Roles roles = assignRoles(candidates, track, config);
-  const bool open = roles.free && roles.moving->outlier_share > config.outlier_share_max;
+  const bool open = roles.free && !explains(*roles.moving, config);
   const double beyond = open ? logistic(advantage(*roles.free, *roles.moving, track)) : 0;
   const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
   const double moved = probabilityOfMotion(*candidates, roles, best, track, criterion);
   Selection selection;
   selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
   selection.moved = best && moved > 0.5;
-  selection.explained = !selection.moved || best->outlier_share <= config.outlier_share_max;
+  selection.explained = !selection.moved || explains(*best, config);
   if (!selection.moved && roles.still) best = roles.still;
   if (best) selection.best = static_cast<std::size_t>(best - candidates->data());
   return selection;

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -12,7 +13,8 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kTriples = 200;
-constexpr double kArmWidth = 0.08;        ///< [m] a few of what is narrower may be an arm
+constexpr double kArmWidth = 0.08;        ///< [m] what is narrower may be an arm
+constexpr double kClutterSize = 0.2;      ///< [m] a few of what is smaller may be a face of something that lies about
 constexpr double kFastestTurn = 3;        ///< [rad/s] planes that are taken for one another turn at once
 constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
 constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
@@ -21,20 +23,17 @@ constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
 constexpr double kLargestGap = 0.7;
 constexpr double kQuick = 0.5;  ///< [s] within which a hand hardly turns round
 
+constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
+
+/// Largest share of the variation that may be from one frame to the next (measured: faces of clutter that tilt 0.3 to 0.6,
+/// real motions up to 0.17); twice as much as a steady way of a few poses has.
+constexpr double kRestless = 0.25;
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-double medianEdgeSupport(const Track& track) {
-  std::vector<double> supports;
-  for (const TrackedObservation& observation : track.observations) {
-    const double sum = std::accumulate(observation.edge_support.begin(), observation.edge_support.end(), 0.0);
-    if (std::isfinite(sum)) supports.push_back(sum / 4);
-  }
-  return median(std::move(supports));
 }
 
 /// Steps that lead back where the step before came from: a front that is moved, however unevenly, makes hardly any from one
@@ -93,6 +92,49 @@ double spreadOf(const ModelResiduals& residuals, const PoseTrack& poses, const E
   return std::sqrt(sum / static_cast<double>(poses.size()));
 }
 
+/// Median share of the edges seen, where along the way it is best: a front that stands wide open may hardly be seen.
+double edgeSupport(const ModelResiduals& residuals, const PoseTrack& poses) {
+  constexpr int kParts = 3;
+  constexpr std::size_t kEnough = 3;
+  std::array<std::vector<double>, kParts> parts;
+  std::vector<double> all;
+  const double range = residuals.q_max - residuals.q_min;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!std::isfinite(poses.edge_support[i])) continue;
+    const double way = range > 0 ? std::clamp((residuals.q[i] - residuals.q_min) / range, 0.0, 1.0) : 0;
+    parts[std::min(kParts - 1, static_cast<int>(kParts * way))].push_back(poses.edge_support[i]);
+    all.push_back(poses.edge_support[i]);
+  }
+  double best = median(std::move(all));
+  for (std::vector<double>& part : parts)
+    if (part.size() >= kEnough) best = std::max(best, median(std::move(part)));
+  return best;
+}
+
+/// How places along the way vary from one frame to the next, as a share of how they vary at all (von Neumann's ratio): 1 for
+/// noise, 6 / (n^2 - 1) for a way that was gone along steadily. Of frames far apart nothing can be said.
+double restlessness(const ModelResiduals& residuals, const PoseTrack& poses) {
+  double steps = 0, mean = 0, square = 0;
+  int count = 0, n = 0;
+  std::size_t last = poses.size();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double q = residuals.q[i];
+    if (residuals.displaced[i] > 3 || q < residuals.q_min || q > residuals.q_max) continue;
+    if (last < i && poses.stamps[i] - poses.stamps[last] <= kQuick) {
+      steps += (q - residuals.q[last]) * (q - residuals.q[last]);
+      ++count;
+    }
+    last = i;
+    ++n;
+    const double off = q - mean;
+    mean += off / n;
+    square += off * (q - mean);
+  }
+  return count > 0 && square > 0 ? steps / count / (2 * square / n) : 0;
+}
+
+bool isSmall(const Track& track) { return std::max(track.width, track.height) < kClutterSize && track.width > 0; }
+
 bool isNarrow(const Track& track) { return std::min(track.width, track.height) < kArmWidth && track.width > 0; }
 
 bool pauses(const PoseTrack& poses) {
@@ -118,13 +160,19 @@ Matrix6d meanCovariance(const Track& track, const ArticulationConfig& config) {
 
 MotionCriterion::MotionCriterion(const Track& track, const PoseTrack& poses, const ArticulationConfig& config)
     : config_(config), few_(poses.size() < kFew), covariance_(meanCovariance(track, config)) {
-  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) ||
-             medianEdgeSupport(track) < config.edge_support_min || (few_ && (pauses(poses) || isNarrow(track)));
+  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) || (few_ && (pauses(poses) || isSmall(track))) ||
+             (poses.size() < kNarrowPoses && isNarrow(track));
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
 }
 
+bool MotionCriterion::wasSeen(const ModelResiduals& residuals, const PoseTrack& poses) const {
+  const double n = static_cast<double>(poses.size());
+  return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min &&
+         restlessness(residuals, poses) <= std::max(kRestless, 12 / (n * n - 1));
+}
+
 bool MotionCriterion::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const {
-  if (refused_ || largestGap(residuals) > kLargestGap) return false;
+  if (!wasSeen(residuals, poses) || largestGap(residuals) > kLargestGap) return false;
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const double path = pathOf(model, residuals, poses.outline[k]);
     if (path >= config_.motion_min && standsOut(path, k, residuals, poses)) return true;
@@ -134,7 +182,7 @@ bool MotionCriterion::passes(const ArticulationModel& model, const ModelResidual
 
 bool MotionCriterion::isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals,
                                      const PoseTrack& poses) const {
-  if (refused_ || !few_ || covariance_.isZero(0)) return false;
+  if (!few_ || covariance_.isZero(0) || !wasSeen(residuals, poses)) return false;
   if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return false;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
   const double turn = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();

@@ -73,9 +73,9 @@ class IndependentNoise {
 /// The same for residuals that follow one another: correlations and the scales of innovations.
 class SequenceNoise {
  public:
-  /// The scales place poses along the path.
+  /// The scales place poses along the path; orientations that vary less than their scale, which has a floor, say more.
   SequenceNoise(const PoseSamples& samples, const ArticulationConfig& config, double position_scale, double orientation_scale)
-      : run_starts_(samples.run_starts) {
+      : run_starts_(samples.run_starts), orientation_scale_(orientation_scale) {
     noise_.sequence = true;
     noise_.degrees_of_freedom = config.sequence_degrees_of_freedom;
     noise_.position = 0.001;
@@ -91,9 +91,12 @@ class SequenceNoise {
   double estimate(const typename Problem::Residuals& residuals) {
     double cost = estimateRows(residuals.template topRows<Problem::kPositionRows>(), 2, noise_.first_position, &noise_.position,
                                &noise_.position_correlation);
-    if constexpr (Problem::kRows > Problem::kPositionRows)
+    if constexpr (Problem::kRows > Problem::kPositionRows) {
       cost += estimateRows(residuals.template bottomRows<Problem::kRows - Problem::kPositionRows>(), 3, noise_.first_orientation,
                            &noise_.orientation, &noise_.orientation_correlation);
+      const double spread = noise_.orientation / std::sqrt(1 - noise_.orientation_correlation * noise_.orientation_correlation);
+      noise_.placing_orientation = std::min(orientation_scale_, spread);
+    }
     return cost;
   }
 
@@ -135,6 +138,7 @@ class SequenceNoise {
   bool startsRun(Eigen::Index i) const { return run_starts_[static_cast<std::size_t>(i)] != 0; }
 
   const std::vector<char>& run_starts_;
+  double orientation_scale_;
   ResidualNoise noise_;
 };
 

@@ -17,6 +17,7 @@ PoseTrack selected(const PoseTrack& track, const std::vector<std::size_t>& indic
   pick(track.poses, &out.poses);
   pick(track.position_weights, &out.position_weights);
   pick(track.orientation_weights, &out.orientation_weights);
+  pick(track.edge_support, &out.edge_support);
   pick(track.run_starts, &out.run_starts);
   return out;
 }

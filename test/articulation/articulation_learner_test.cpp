@@ -170,6 +170,29 @@ TEST(ArticulationLearner, DoorsThatTurnALittleAreTold) {
   }
 }
 
+TEST(ArticulationLearner, DoorsTurnAlthoughTheyHardlyGoAnywhere) {
+  SyntheticFront front = door();
+  front.width = 0.3;
+  front.q_end = 0.35;
+  front.noise = 0.004;
+  front.drift = 0.004;
+  front.turn_noise = 0.005;  // far less than fits believe
+  for (front.seed = 1; front.seed <= 20; ++front.seed)
+    EXPECT_GT(probability(learn(syntheticTrack(front)), JointType::kRotational), 0.95) << front.seed;
+}
+
+TEST(ArticulationLearner, DoorsThatSlideWithinTheirPlaneAreTold) {
+  SyntheticFront front = still();
+  front.noise = 0.002;
+  for (const double length : {0.2, 0.6})
+    for (front.seed = 1; front.seed <= 10; ++front.seed) {
+      Track track = syntheticTrack(front);
+      for (std::size_t i = 0; i < track.observations.size(); ++i)
+        track.observations[i].rectangle.pose.pretranslate(length * i / 99 * closedPose().linear().col(0));
+      EXPECT_GT(probability(learn(reported(track, 0.002, 0.01)), JointType::kPrismatic), 0.95) << length << " " << front.seed;
+    }
+}
+
 TEST(ArticulationLearner, IntervalsHoldTheTruth) {
   constexpr int kFronts = 100;
   int axes = 0, radii = 0;

@@ -13,11 +13,7 @@ Track reported(SyntheticFront front, int poses, double q_start, double q_end) {
   front.q_end = q_end;
   front.noise = 0.001;
   front.turn_noise = 0.003;
-  Track track = syntheticTrack(front);
-  Eigen::Matrix<double, 6, 1> sigmas;
-  sigmas << 0.001, 0.001, 0.001, 0.003, 0.003, 0.003;
-  for (TrackedObservation& observation : track.observations) observation.covariance = sigmas.cwiseAbs2().asDiagonal();
-  return track;
+  return reported(syntheticTrack(front), front.noise, front.turn_noise);
 }
 
 TEST(EarlyDecision, TwoPosesTellADoor) {

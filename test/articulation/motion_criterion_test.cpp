@@ -70,5 +70,62 @@ TEST(MotionCriterion, ClutterThatJumpsBetweenTwoPlacesDoesNotMove) {
   EXPECT_FALSE(model.moved);
 }
 
+TEST(MotionCriterion, AFaceThatTiltsToAndFroDoesNotMove) {
+  SyntheticFront front = still();
+  front.width = 0.12;
+  front.height = 0.2;
+  front.turn_noise = 0.02;
+  for (front.seed = 1; front.seed <= 10; ++front.seed) {
+    Track track = syntheticTrack(front);
+    std::mt19937 random(front.seed);
+    std::normal_distribution<double> tilt(0, 0.3);
+    for (TrackedObservation& observation : track.observations)
+      observation.rectangle.pose.rotate(Eigen::AngleAxisd(tilt(random), Eigen::Vector3d::UnitY()));
+    EXPECT_FALSE(learn(reported(track, 0.003, 0.03)).moved) << front.seed;
+  }
+}
+
+TEST(MotionCriterion, ADoorThatStandsOpenWithHardlyAnEdgeInSightStaysKnown) {
+  SyntheticFront front = noisy(0.002);
+  front.poses = 20;
+  Track track = syntheticTrack(front);
+  front.q_start = front.q_end;
+  front.poses = 200;
+  front.seed = 2;
+  for (TrackedObservation observation : syntheticTrack(front).observations) {
+    observation.stamp += 20 * front.period;
+    observation.edge_support = {0.7F, 0, 0.3F, 0.7F};
+    track.observations.push_back(observation);
+  }
+  const LearnedModel model = learn(track);
+  EXPECT_TRUE(model.moved);
+  EXPECT_EQ(model.type, JointType::kRotational);
+}
+
+TEST(MotionCriterion, AFrontThatStandsOpenForLongMovedAllTheSame) {
+  for (SyntheticFront front : {door(), drawer()}) {
+    front.noise = 0.002;
+    front.poses = 30;
+    Track track = syntheticTrack(front);
+    front.q_start = front.q_end;
+    front.poses = 800;
+    for (TrackedObservation observation : syntheticTrack(front).observations) {
+      observation.stamp += 30 * front.period;
+      track.observations.push_back(observation);
+    }
+    EXPECT_GT(probability(learn(track), front.type), 0.95);
+    EXPECT_GT(probability(learn(reported(track, 0.003, 0.01)), front.type), 0.95);
+  }
+}
+
+TEST(MotionCriterion, WhatIsAsNarrowAsAnArmHasToMoveForLonger) {
+  SyntheticFront front = drawer();
+  front.height = 0.07;
+  front.poses = 15;
+  EXPECT_FALSE(learn(syntheticTrack(front)).moved);
+  front.poses = 30;
+  EXPECT_TRUE(learn(syntheticTrack(front)).moved);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

@@ -78,6 +78,36 @@ TEST(NonparametricModel, IsWhatSlidesAndTurns) {
   }
 }
 
+TEST(NonparametricModel, IsAFlapThatIsLiftedByArmsAndDoesNotTurn) {
+  SyntheticFront arms = door();  // turns by 80 degrees at 40 cm from its hinge
+  arms.width = 0.8;
+  arms.q_end = 1.4;
+  Track track = syntheticTrack(arms);
+  for (TrackedObservation& observation : track.observations) observation.rectangle.pose.linear() = closedPose().linear();
+  for (const Track& seen : {track, reported(track, 0.003, 0.01)}) {
+    const LearnedModel model = learn(seen);
+    EXPECT_EQ(model.type, JointType::kNonparametric) << "no line, and no hinge either";
+    EXPECT_LT(model.position_error, 0.01);
+  }
+}
+
+TEST(NonparametricModel, IsWhatSlidesAndThenTurns) {
+  SyntheticFront front = still();
+  front.type = JointType::kRotational;
+  front.q_end = 0;
+  Track track = syntheticTrack(front);
+  for (std::size_t i = 0; i < track.observations.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(track.observations.size());
+    const Eigen::Isometry3d turned = truePose(front, std::max(0.0, 3 * share - 1.5)) * closedPose().inverse();
+    const double slide = 0.3 * std::min(1.0, 2 * share);
+    Eigen::Isometry3d& pose = track.observations[i].rectangle.pose;
+    pose = Eigen::Translation3d(slide * closedPose().linear().col(2)) * turned * pose;
+  }
+  const LearnedModel model = learn(reported(track, 0.003, 0.01));
+  EXPECT_EQ(model.type, JointType::kNonparametric);
+  EXPECT_LT(model.position_error, 0.01);
+}
+
 TEST(NonparametricModel, GoesOnBeyondWhatWasSeen) {
   const LearnedModel model = [] {
     NonparametricModel free((ArticulationConfig()));

@@ -105,6 +105,14 @@ inline Track syntheticTrack(const SyntheticFront& front) {
   return track;
 }
 
+/// The same track from a detector that says how certain it is: standard deviations of positions and orientations.
+inline Track reported(Track track, double sigma_position, double sigma_orientation) {
+  Eigen::Matrix<double, 6, 1> sigmas;
+  sigmas << Eigen::Vector3d::Constant(sigma_position), Eigen::Vector3d::Constant(sigma_orientation);
+  for (TrackedObservation& observation : track.observations) observation.covariance = sigmas.cwiseAbs2().asDiagonal();
+  return track;
+}
+
 /// The only model of one track.
 inline LearnedModel learn(const Track& track, const ArticulationConfig& config = {}) {
   return ArticulationLearner(config).process({track}).at(0);

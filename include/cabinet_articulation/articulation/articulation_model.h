@@ -26,8 +26,11 @@ struct ModelResiduals {
   std::vector<double> q;
   std::vector<Eigen::Vector3d> position;     ///< [m] observed minus predicted, weighted as the track says
   std::vector<Eigen::Vector3d> orientation;  ///< [rad] rotation vector, weighted likewise
-  double q_min = 0, q_max = 0;               ///< over the poses near the model
-  double path = 0;                           ///< [m] length of the path between them
+  /// How far the pose is off, in its own standard deviations but not in smaller ones than sigma_position and
+  /// sigma_orientation.
+  std::vector<double> displaced, turned;
+  double q_min = 0, q_max = 0;  ///< over the poses near the model
+  double path = 0;              ///< [m] length of the path between them
 };
 
 /// One kind of joint (paper III-D.1). q is 0 at the first pose it was fitted to and grows in the direction of the first
@@ -78,11 +81,15 @@ class ArticulationModel {
   ModelResiduals residuals(const PoseTrack& track) const;
 
   /// log p(D | M), Eqs. (6)-(10), for independent Gaussian noise: positions and orientations with their own sigmas, q
-  /// uniform over the observed path. The orientation's sigma counts `caution` times.
+  /// uniform over the observed path, or as it was seen to be where that is more probable. The orientation's sigma counts
+  /// `caution` times.
   double logLikelihood(const PoseTrack& track, const ModelResiduals& residuals, double caution = 1) const;
 
  protected:
   ArticulationConfig config_;
+
+ private:
+  double costOfFreedom(const PoseTrack& track, const ModelResiduals& residuals, double spread, double scale) const;
 };
 
 /// ArticulationModel.covariance of a pose whose coordinates have these variances [m^2, rad^2], for a point of the front that

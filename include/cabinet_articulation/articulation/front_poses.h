@@ -50,6 +50,7 @@ class FrontPoses {
     double stamp;
     Eigen::Isometry3d center;
     double width, height;
+    float edge_support;
     bool weighted;
     Eigen::Matrix3d position_weight, orientation_weight;
   };

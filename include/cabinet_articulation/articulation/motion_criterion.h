@@ -14,8 +14,10 @@ namespace cabinet_articulation::core {
  * Whether a front moved (ours). Pieces of furniture that are hardly visible jitter by centimetres and tens of degrees while
  * they stand still. Some point of the front must have come farther than motion_min, than motion_to_jitter times its jitter
  * from one frame to the next, and than motion_to_noise times its distance from where the model says. It must have been seen in
- * between, too. There is no motion while the median observation has less than edge_support_min of its edges, there are fewer
- * than observations_min, or few that do not follow one another at once, as arms and hands give.
+ * between, too, and its place along the way must not vary as much from one frame to the next as it does at all. There is no
+ * motion while the median observation has less than edge_support_min of its edges on every third of the way, there are fewer
+ * than observations_min, few that do not follow one another at once or are of something small, or few of something narrow, as
+ * hands and arms give.
  */
 class MotionCriterion {
  public:
@@ -37,6 +39,7 @@ class MotionCriterion {
   const std::vector<double>& jitter() const { return jitter_; }
 
  private:
+  bool wasSeen(const ModelResiduals& residuals, const PoseTrack& poses) const;
   double significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const;
   bool standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseTrack& poses) const;
 

@@ -20,7 +20,8 @@ struct PoseTrack {
   /// everything was observed. Ignored without orientation.
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
-  HingePrior hinge;  ///< needs orientations
+  HingePrior hinge;                 ///< needs orientations
+  std::vector<float> edge_support;  ///< share of the edges seen, per pose; not a number: not known
   /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.
   std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
 
