@@ -135,7 +135,9 @@ std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
 
 bool RectangleTracker::flickers(const TrackMemory& memory) const {
   const bool young = memory.frames >= kJudgedFrames && memory.seen < kEstablished;
-  return young && memory.seen < config_.min_presence * memory.frames;
+  // Of so few frames a front may miss more than its share by chance.
+  const double share = config_.min_presence, chance = std::sqrt(share * (1 - share) * memory.frames);
+  return young && memory.seen < share * memory.frames - chance;
 }
 
 void RectangleTracker::endTracks(double stamp) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
 #include "tracking/synthetic_fronts.h"
@@ -63,6 +64,22 @@ TEST(TrackLifetime, WhatFlickersEnds) {
   EXPECT_EQ(std::count_if(tracker.tracks().begin(), tracker.tracks().end(),
                           [](const Track& track) { return track.observations.size() == 60; }),
             1);
+}
+
+TEST(TrackLifetime, AFrontThatIsMissedNowAndThenKeepsItsId) {
+  int kept = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    RectangleTracker tracker({});
+    NoisyDetector detect(seed);
+    std::mt19937 random(seed);
+    for (int i = 1; i <= 60; ++i) {
+      const bool missed = i > 1 && std::uniform_real_distribution<double>()(random) < 0.3;
+      tracker.process(i * kFrame,
+                      missed ? std::vector<DetectedRectangle>() : std::vector<DetectedRectangle>{detect(closedFront())});
+    }
+    kept += tracker.tracks().size() == 1 && tracker.tracks()[0].id == 0;
+  }
+  EXPECT_GE(kept, 95) << "of 100; to see three of the first eight frames only happens to one in a hundred";
 }
 
 TEST(TrackLifetime, AHandInFrontOfAYoungTrackIsNoFlicker) {
