@@ -57,6 +57,7 @@ const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
 /// it. Small turns leave it uncertain where their axis is.
 bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isometry3d& T_reference_center, double sigma_edge) {
   constexpr double kExtents = 0.75;  // half of the diagonal of a square, and some
+  constexpr double kOffPlane = 0.4;  // hinges are up to some 5 cm behind, faces of what is round turn about its middle
   const JointGeometry geometry = candidate.model->geometry();
   if (geometry.radius == 0) return false;
   const Eigen::Isometry3d center = candidate.model->predict(0) * T_reference_center;
@@ -66,7 +67,7 @@ bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isom
   const double upright = center.linear().col(2).dot(geometry.axis);
   const double unsure = sigma_edge / std::max(candidate.residuals.q_max - candidate.residuals.q_min, 1e-6);
   return to_axis.norm() > kExtents * std::max(front.width, front.height) + unsure ||
-         across > std::sqrt(0.5) * to_axis.norm() + unsure || upright * upright > 0.5;
+         across > kOffPlane * to_axis.norm() + unsure || upright * upright > 0.5;
 }
 
 }  // namespace

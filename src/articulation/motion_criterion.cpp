@@ -111,31 +111,46 @@ double edgeSupport(const ModelResiduals& residuals, const PoseTrack& poses) {
   return best;
 }
 
-/// How places along the way vary from one frame to the next, as a share of how they vary at all (von Neumann's ratio): 1 for
-/// noise, 6 / (n^2 - 1) for a way that was gone along steadily. Of frames far apart nothing can be said.
-double restlessness(const ModelResiduals& residuals, const PoseTrack& poses) {
-  double steps = 0, mean = 0, square = 0;
-  int count = 0, n = 0;
-  std::size_t last = poses.size();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+/// How places along the way vary from one pose to the next, as a share of how they vary at all (von Neumann's ratio): 1 for
+/// noise, 6 / (n^2 - 1) for a way that was gone along steadily.
+double restlessness(const ModelResiduals& residuals) {
+  double steps = 0, mean = 0, square = 0, last = 0;
+  int n = 0;
+  for (std::size_t i = 0; i < residuals.q.size(); ++i) {
     const double q = residuals.q[i];
     if (residuals.displaced[i] > 3 || q < residuals.q_min || q > residuals.q_max) continue;
-    if (last < i && poses.stamps[i] - poses.stamps[last] <= kQuick) {
-      steps += (q - residuals.q[last]) * (q - residuals.q[last]);
-      ++count;
-    }
-    last = i;
+    if (n > 0) steps += (q - last) * (q - last);
+    last = q;
     ++n;
     const double off = q - mean;
     mean += off / n;
     square += off * (q - mean);
   }
-  return count > 0 && square > 0 ? steps / count / (2 * square / n) : 0;
+  return n > 1 && square > 0 ? steps / (n - 1) / (2 * square / n) : 0;
 }
 
 bool isSmall(const Track& track) { return std::max(track.width, track.height) < kClutterSize && track.width > 0; }
 
 bool isNarrow(const Track& track) { return std::min(track.width, track.height) < kArmWidth && track.width > 0; }
+
+/// An arm comes from somewhere: one of its edges is never seen.
+bool lacksAnEdge(const Track& track) {
+  constexpr float kSeen = 0.3F;
+  for (int edge = 0; edge < 4; ++edge) {
+    const auto seen = [edge](const TrackedObservation& observation) { return observation.edge_support[edge] > kSeen; };
+    if (std::none_of(track.observations.begin(), track.observations.end(), seen)) return true;
+  }
+  return false;
+}
+
+/// Two observations of which one is much smaller rather are of two things.
+bool isOfTwoThings(const Track& track) {
+  constexpr double kAlike = 0.36;
+  if (track.observations.size() != 2) return false;
+  const Rectangle &a = track.observations[0].measured, &b = track.observations[1].measured;
+  const double first = a.width * a.height, second = b.width * b.height;
+  return std::min(first, second) < kAlike * std::max(first, second);
+}
 
 bool pauses(const PoseTrack& poses) {
   for (std::size_t i = 1; i < poses.size(); ++i)
@@ -160,15 +175,16 @@ Matrix6d meanCovariance(const Track& track, const ArticulationConfig& config) {
 
 MotionCriterion::MotionCriterion(const Track& track, const PoseTrack& poses, const ArticulationConfig& config)
     : config_(config), few_(poses.size() < kFew), covariance_(meanCovariance(track, config)) {
-  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) || (few_ && (pauses(poses) || isSmall(track))) ||
-             (poses.size() < kNarrowPoses && isNarrow(track));
+  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) ||
+             (few_ && (pauses(poses) || isSmall(track) || isOfTwoThings(track))) ||
+             (isNarrow(track) && (poses.size() < kNarrowPoses || lacksAnEdge(track)));
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
 }
 
 bool MotionCriterion::wasSeen(const ModelResiduals& residuals, const PoseTrack& poses) const {
   const double n = static_cast<double>(poses.size());
   return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min &&
-         restlessness(residuals, poses) <= std::max(kRestless, 12 / (n * n - 1));
+         restlessness(residuals) <= std::max(kRestless, 12 / (n * n - 1));
 }
 
 bool MotionCriterion::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const {

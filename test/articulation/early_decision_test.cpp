@@ -65,6 +65,14 @@ TEST(EarlyDecision, WhatIsSeenNowAndThenIsNoFront) {
   EXPECT_FALSE(learn(track).moved);
 }
 
+TEST(EarlyDecision, TwoObservationsOfDifferentSizesAreOfTwoThings) {
+  Track track = reported(drawer(), 2, 0.04, 0.08);
+  for (TrackedObservation& observation : track.observations) observation.measured = observation.rectangle;
+  EXPECT_TRUE(learn(track).moved);
+  track.observations[1].measured.width /= 3;
+  EXPECT_FALSE(learn(track).moved);
+}
+
 TEST(EarlyDecision, WhatTurnsAtOnceIsNoFront) {
   EXPECT_TRUE(learn(reported(door(), 2, 0.1, 0.2)).moved) << "1.5 rad/s";
   EXPECT_FALSE(learn(reported(door(), 2, 0.1, 0.4)).moved) << "4.5 rad/s";

@@ -127,5 +127,29 @@ TEST(MotionCriterion, WhatIsAsNarrowAsAnArmHasToMoveForLonger) {
   EXPECT_TRUE(learn(syntheticTrack(front)).moved);
 }
 
+TEST(MotionCriterion, FacesOfSomethingRoundDoNotTurnAboutItsMiddle) {
+  constexpr double kRadius = 0.06;  // of a can, of which ever other sides are seen
+  SyntheticFront front = still();
+  front.width = 0.12;
+  front.height = 0.2;
+  front.poses = 40;
+  Track track = syntheticTrack(front);
+  for (std::size_t i = 0; i < track.observations.size(); ++i) {
+    Eigen::Isometry3d& pose = track.observations[i].rectangle.pose;
+    pose = pose * Eigen::Translation3d(0, 0, -kRadius) * Eigen::AngleAxisd(0.035 * i, Eigen::Vector3d::UnitY()) *
+           Eigen::Translation3d(0, 0, kRadius);
+  }
+  EXPECT_FALSE(learn(reported(track, 0.003, 0.02)).moved);
+}
+
+TEST(MotionCriterion, AnArmOfWhichOneEndIsNeverSeenIsNoFront) {
+  SyntheticFront front = drawer();
+  front.height = 0.07;
+  Track track = syntheticTrack(front);
+  EXPECT_TRUE(learn(track).moved);
+  for (TrackedObservation& observation : track.observations) observation.edge_support = {0.8F, 0, 0.9F, 0.8F};
+  EXPECT_FALSE(learn(track).moved);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core
