@@ -9,7 +9,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kConfirmedSigma = 0.7;     ///< [px] of an edge that the images place
+constexpr double kConfirmedSigma = 0.4;     ///< [px] of an edge that the images place
 constexpr double kMaskSigma = 2.0;          ///< [px] of an edge of a 15x15 block matching mask
 constexpr double kDoubtful = 0.25;          ///< support of an edge that nothing but a neighbour in nearly the same plane ends
 constexpr double kUnobservedSigma = 0.3;    ///< [m] of an edge that was not seen: the size of a front
