@@ -112,21 +112,26 @@ double edgeSupport(const ModelResiduals& residuals, const PoseTrack& poses) {
 }
 
 /// How places along the way vary from one pose to the next, as a share of how they vary at all (von Neumann's ratio): 1 for
-/// noise, 6 / (n^2 - 1) for a way that was gone along steadily.
-double restlessness(const ModelResiduals& residuals) {
-  double steps = 0, mean = 0, square = 0, last = 0;
-  int n = 0;
-  for (std::size_t i = 0; i < residuals.q.size(); ++i) {
+/// noise, 6 / (n^2 - 1) for a way that was gone along steadily. Of a few that are far apart nothing can be said.
+double restlessness(const ModelResiduals& residuals, const PoseTrack& poses) {
+  constexpr std::size_t kMany = 50;
+  double steps = 0, mean = 0, square = 0;
+  int count = 0, n = 0;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
     const double q = residuals.q[i];
     if (residuals.displaced[i] > 3 || q < residuals.q_min || q > residuals.q_max) continue;
-    if (n > 0) steps += (q - last) * (q - last);
-    last = q;
+    if (n > 0 && (poses.size() >= kMany || poses.stamps[i] - poses.stamps[last] <= kQuick)) {
+      steps += (q - residuals.q[last]) * (q - residuals.q[last]);
+      ++count;
+    }
+    last = i;
     ++n;
     const double off = q - mean;
     mean += off / n;
     square += off * (q - mean);
   }
-  return n > 1 && square > 0 ? steps / (n - 1) / (2 * square / n) : 0;
+  return count > 0 && square > 0 ? steps / count / (2 * square / n) : 0;
 }
 
 bool isSmall(const Track& track) { return std::max(track.width, track.height) < kClutterSize && track.width > 0; }
@@ -184,7 +189,7 @@ MotionCriterion::MotionCriterion(const Track& track, const PoseTrack& poses, con
 bool MotionCriterion::wasSeen(const ModelResiduals& residuals, const PoseTrack& poses) const {
   const double n = static_cast<double>(poses.size());
   return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min &&
-         restlessness(residuals) <= std::max(kRestless, 12 / (n * n - 1));
+         restlessness(residuals, poses) <= std::max(kRestless, 12 / (n * n - 1));
 }
 
 bool MotionCriterion::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const {
