@@ -40,7 +40,7 @@ void FrontPoses::append(const TrackedObservation& observation, std::vector<Entry
               Eigen::Matrix3d::Identity()};
   entry.weighted = reportsNoise(observation);
   if (entry.weighted) {
-    const Matrix6d covariance = totalCovariance(observation, config_);
+    const Matrix6d covariance = weighingCovariance(observation, config_);
     entry.position_weight = weightOf(covariance.topLeftCorner<3, 3>(), config_.sigma_plane);
     entry.orientation_weight = weightOf(covariance.bottomRightCorner<3, 3>(), config_.sigma_orientation);
   }

@@ -25,4 +25,13 @@ Matrix6d totalCovariance(const TrackedObservation& observation, const Articulati
   return observation.covariance + axes * sigmas.cwiseAbs2().asDiagonal() * axes.transpose();
 }
 
+Matrix6d weighingCovariance(const TrackedObservation& observation, const ArticulationConfig& config) {
+  const Eigen::Matrix<double, 3, 2> sides = observation.rectangle.pose.linear().leftCols<2>();
+  const Eigen::Vector2d own = (sides.transpose() * observation.covariance.topLeftCorner<3, 3>() * sides).diagonal();
+  Matrix6d covariance = totalCovariance(observation, config);
+  const double shared = std::pow(config.sigma_edge / config.sigma_plane, 2);
+  covariance.topLeftCorner<3, 3>() += sides * (shared * own).asDiagonal() * sides.transpose();
+  return covariance;
+}
+
 }  // namespace cabinet_articulation::core

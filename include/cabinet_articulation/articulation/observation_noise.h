@@ -16,4 +16,9 @@ bool reportsNoise(const TrackedObservation& observation);
 /// edges.
 Matrix6d totalCovariance(const TrackedObservation& observation, const ArticulationConfig& config);
 
+/// The same for weighing an observation beside the others of its track: what edges share grows with how much less certain
+/// than sigma_plane they are (ours). Errors that all observations have alike bend no path, and must not hide how much better
+/// some were seen: of a front that has just opened one edge lies somewhere on its closed neighbour.
+Matrix6d weighingCovariance(const TrackedObservation& observation, const ArticulationConfig& config);
+
 }  // namespace cabinet_articulation::core
