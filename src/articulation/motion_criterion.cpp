@@ -13,7 +13,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kTriples = 200;
-constexpr double kArmWidth = 0.08;        ///< [m] what is narrower may be an arm
+constexpr double kArmWidth = 0.09;        ///< [m] what is narrower may be an arm
 constexpr double kClutterSize = 0.2;      ///< [m] a few of what is smaller may be a face of something that lies about
 constexpr double kFastestTurn = 3;        ///< [rad/s] planes that are taken for one another turn at once
 constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
