@@ -8,15 +8,23 @@
 
 namespace cabinet_articulation::core::evaluation {
 
+namespace {
+
+double timeOf(const benchmark::BenchmarkReporter::Run& run) {
+  return run.run_name.time_type == "manual_time" ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+}
+
+}  // namespace
+
 void LimitReporter::ReportRuns(const std::vector<Run>& runs) {
   if (runs.at(0).run_type != Run::RT_Iteration) return;  // means and the like
-  const Run& best = *std::min_element(runs.begin(), runs.end(),
-                                      [](const Run& a, const Run& b) { return a.GetAdjustedCPUTime() < b.GetAdjustedCPUTime(); });
+  const Run& best = *std::min_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return timeOf(a) < timeOf(b); });
   ConsoleReporter::ReportRuns({best});
   if (best.error_occurred) return;
   constexpr double kMilliseconds = 1e3;
-  shortest_[best.run_name.function_name + "/" + best.run_name.args] =
-      kMilliseconds * best.GetAdjustedCPUTime() / benchmark::GetTimeUnitMultiplier(best.time_unit);
+  const std::string& args = best.run_name.args;
+  shortest_[best.run_name.function_name + (args.empty() ? "" : "/" + args)] =
+      kMilliseconds * timeOf(best) / benchmark::GetTimeUnitMultiplier(best.time_unit);
 }
 
 double LimitReporter::shortest(const std::string& name) const {
@@ -32,6 +40,11 @@ void LimitReporter::compare(const std::string& what, const std::string& name, do
 
 void LimitReporter::compare(const std::string& what, const std::string& name, const std::string& other, double factor) const {
   compare(what, name, factor * shortest(other));
+}
+
+void LimitReporter::compareAll(const std::string& start, double limit) const {
+  for (const auto& [name, time] : shortest_)
+    if (name.compare(0, start.size(), start) == 0) compare(name, name, limit);
 }
 
 int runBenchmarks(int argc, char** argv, void (*report)(const LimitReporter&)) {

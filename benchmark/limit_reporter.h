@@ -9,7 +9,8 @@
 
 namespace cabinet_articulation::core::evaluation {
 
-/// Google Benchmark's console output, of the repetition with the shortest CPU time: other load on the machine only adds.
+/// Google Benchmark's console output, of the repetition with the shortest CPU time: other load on the machine only adds. Times
+/// that a benchmark takes itself are CPU times already.
 class LimitReporter : public benchmark::ConsoleReporter {
  public:
   LimitReporter() : ConsoleReporter(OO_Tabular) {}
@@ -20,6 +21,9 @@ class LimitReporter : public benchmark::ConsoleReporter {
   /// nothing if one of them was not run.
   void compare(const std::string& what, const std::string& name, double limit) const;
   void compare(const std::string& what, const std::string& name, const std::string& other, double factor = 1) const;
+
+  /// One line for each benchmark whose name starts so.
+  void compareAll(const std::string& start, double limit) const;
 
  private:
   /// [ms] NaN if it was not run.

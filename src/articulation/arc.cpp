@@ -66,6 +66,21 @@ Arc Arc::recentered(double s) const {
   return arc;
 }
 
+Arc Arc::shifted(const Eigen::Vector3d& offset) const {
+  Arc arc = *this;
+  arc.middle = middle + orientation * offset;
+  if (std::abs(curvature) < kStraight) return arc;
+  Eigen::Vector3d inward = center() - arc.middle;
+  inward -= axis() * axis().dot(inward);
+  const double new_radius = inward.norm();
+  if (new_radius < 1e-6) return arc;
+  const double turn = curvature > 0 ? 1 : -1;
+  arc.frame.col(1) = turn * inward / new_radius;
+  arc.frame.col(0) = arc.frame.col(1).cross(axis());
+  arc.curvature = turn / new_radius;
+  return arc;
+}
+
 double meanArcLength(const Arc& arc, const std::vector<Eigen::Vector3d>& points) {
   // The mean of the points themselves lies in the mean direction: only the centre of a full turn has none.
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

@@ -13,21 +13,16 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// [nats] Fits stop when a step gains less: far less than decides anything.
-constexpr double kTolerance = 0.02;
-
-/// [nats] The same of rough fits.
-constexpr double kRoughTolerance = 0.5;
-
-/// [nats] The same where the curvature is held at its limit: there the model is wrong, and its last digits do not matter.
+/// [nats] Fits stop when a step gains less where the curvature is held at its limit: there the model is wrong, and its last
+/// digits do not matter.
 constexpr double kHeldTolerance = 0.5;
 
 /// [nats] Differences above which the better model is clear.
 constexpr double kClear = 40;
 
 constexpr int kRounds = 25;
-constexpr int kContinuedRounds = 4;
 constexpr double kTrustRegion = 1e4;
+constexpr int kDampings = 7;  ///< tried before a step is given up
 
 /// Everything that depends on whether there are orientations.
 template <bool kWithOrientation>
@@ -39,30 +34,29 @@ class Fitter {
   struct Result {
     Arc arc;
     double cost;
+    bool settled = true;
   };
 
   Fitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
     // One step at a time: scales and correlations change with every step, and so does the base of the increments.
-    solver_.options.max_num_iterations = 2;
-    solver_.options.function_tolerance = std::numeric_limits<double>::infinity();
+    solver_.options.max_num_iterations = 1 + kDampings;
+    solver_.options.function_tolerance = 0;
+    solver_.options.initial_trust_region_radius = kTrustRegion;
     solver_.options.gradient_tolerance = 1e-9;
   }
 
   /// Alternates between the noise and the path. Where the curvature is free but leaves its limits twice, or in the end,
   /// it is held at the limit: no crawling along it. `rival` is a cost from which the result need only differ clearly.
   template <class Noise>
-  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival,
-                FitEffort effort = FitEffort::kFull) {
+  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival, double tolerance = kFineFit) {
     const double unknown = std::numeric_limits<double>::infinity();
     Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
     Arc arc = start;
     Result best{start, unknown};
     int outside = 0;
-    double tolerance = effort == FitEffort::kRough ? kRoughTolerance : kTolerance;
-    int rounds = effort == FitEffort::kContinued ? kContinuedRounds : kRounds;
+    int rounds = kRounds;
     for (int round = 0; round < rounds; ++round) {
-      const Problem problem(samples_, noise->noise(), arc, curvature);
-      const double cost = noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
+      const double cost = costOf(arc, noise);
       const double gain = best.cost - cost;
       if (gain > 0) best = {arc, cost};
       const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
@@ -82,6 +76,30 @@ class Fitter {
     return {curvature == Curvature::kFree && shape == PathShape::kCircle ? limited(best.arc) : best.arc, best.cost};
   }
 
+  /// A few steps from where an earlier fit ended, by the same rules but for the curvature: a path that was held at the limit
+  /// stays there until it fits better inside.
+  template <class Noise>
+  Result proceed(const Arc& start, PathShape shape, int steps, Noise* noise) {
+    Curvature curvature = shape == PathShape::kLine || isHeld(start, *noise) ? Curvature::kFixed : Curvature::kFree;
+    Arc arc = start;
+    Result best{start, std::numeric_limits<double>::infinity(), false};
+    for (int i = 0;; ++i) {
+      const double cost = costOf(arc, noise);
+      best.settled = best.cost - cost < kFineFit;
+      if (cost < best.cost) best = {arc, cost, best.settled};
+      if (best.settled || i == steps) break;
+      best.settled = !step(&arc, curvature, noise->noise());
+      if (best.settled) break;
+      if (curvature == Curvature::kFixed || !isOutside(arc)) continue;
+      arc = limited(best.arc);
+      curvature = Curvature::kFixed;
+      best.cost = std::numeric_limits<double>::infinity();
+      steps = std::max(steps, i + 2);
+    }
+    if (shape == PathShape::kCircle) best.arc = limited(best.arc);
+    return best;
+  }
+
   /// J^T J at the fit.
   Eigen::MatrixXd information(const ArcFit& fit, Curvature curvature) {
     ResidualNoise noise;
@@ -90,13 +108,33 @@ class Fitter {
     noise.orientation = noise.placing_orientation = fit.orientation_scale;
     const Problem problem(samples_, noise, fit.arc, curvature);
     const Parameters zero = Parameters::Zero();
-    Eigen::VectorXd residuals(problem.NumResiduals());
-    Eigen::Matrix<double, Eigen::Dynamic, Problem::NUM_PARAMETERS> jacobian(problem.NumResiduals(), int(Problem::NUM_PARAMETERS));
+    Eigen::Matrix<double, Problem::NUM_RESIDUALS, 1> residuals;
+    Eigen::Matrix<double, Problem::NUM_RESIDUALS, Problem::NUM_PARAMETERS> jacobian;
     problem(zero.data(), residuals.data(), jacobian.data());
     return jacobian.transpose() * jacobian;
   }
 
  private:
+  /// Negative log-likelihood, with the best noise.
+  template <class Noise>
+  double costOf(const Arc& arc, Noise* noise) const {
+    const Problem problem(samples_, noise->noise(), arc, Curvature::kFixed);
+    return noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
+  }
+
+  /// Is the curvature at its limit, and would the path fit worse inside?
+  template <class Noise>
+  bool isHeld(const Arc& arc, Noise noise) const {
+    constexpr double kInside = 1.02;
+    Arc inside = arc;
+    const double size = std::abs(arc.curvature);
+    if (size == 1 / config_.radius_max) inside.curvature *= kInside;
+    if (size == 1 / config_.radius_min) inside.curvature /= kInside;
+    if (inside.curvature == arc.curvature) return false;
+    const double cost = costOf(arc, &noise);
+    return costOf(inside, &noise) >= cost;
+  }
+
   double limitedCurvature(const Arc& arc) const {
     return std::copysign(std::clamp(std::abs(arc.curvature), 1 / config_.radius_max, 1 / config_.radius_min), arc.curvature);
   }
@@ -117,15 +155,10 @@ class Fitter {
   /// A damped Gauss-Newton step. False: none that improves was found.
   bool step(Arc* arc, Curvature curvature, const ResidualNoise& noise) {
     const Problem problem(samples_, noise, *arc, curvature);
-    for (double radius = kTrustRegion; radius > kTrustRegion * 1e-9; radius *= 1e-2) {
-      solver_.options.initial_trust_region_radius = radius;
-      Parameters x = Parameters::Zero();
-      solver_.Solve(problem, &x);
-      if (x.isZero(0)) continue;
-      *arc = problem.arc(x.data());
-      return true;
-    }
-    return false;
+    Parameters x = Parameters::Zero();
+    solver_.Solve(problem, &x);
+    *arc = problem.arc(x.data());
+    return !x.isZero(0);
   }
 
   const PoseSamples& samples_;
@@ -134,11 +167,18 @@ class Fitter {
 };
 
 template <bool kWithOrientation>
-ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, FitEffort effort,
+ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, double tolerance,
                const ArticulationConfig& config) {
   IndependentNoise noise(config);
-  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt, effort);
-  return {result.arc, noise.noise().position, noise.noise().orientation};
+  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt, tolerance);
+  return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
+}
+
+template <bool kWithOrientation>
+ArcFit continued(const PoseSamples& samples, PathShape shape, const ArcFit& last, int steps, const ArticulationConfig& config) {
+  IndependentNoise noise(config, last.position_scale, last.orientation_scale);
+  const auto result = Fitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
+  return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
 }
 
 template <bool kWithOrientation>
@@ -155,7 +195,15 @@ SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcF
   SequenceNoise noise(samples, config, fit.position_scale, fit.orientation_scale);
   if (rival) rival = -*rival;
   const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, rival);
-  return {result.arc, -result.cost};
+  return {result.arc, -result.cost, noise.noise()};
+}
+
+template <bool kWithOrientation>
+SequenceFit sequenceContinued(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& last, int steps,
+                              const ArticulationConfig& config) {
+  SequenceNoise noise(samples, last.noise, fit.position_scale, fit.orientation_scale);
+  const auto result = Fitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
+  return {result.arc, -result.cost, noise.noise(), steps > 0 ? result.settled : last.settled};
 }
 
 template <bool kWithOrientation>
@@ -172,9 +220,14 @@ double arcCost(const PoseSamples& samples, const Arc& arc, const ArticulationCon
   return samples.has_orientation ? costOf<true>(samples, arc, config) : costOf<false>(samples, arc, config);
 }
 
-ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config, FitEffort effort) {
-  return samples.has_orientation ? fitFrom<true>(samples, shape, start, effort, config)
-                                 : fitFrom<false>(samples, shape, start, effort, config);
+ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config, double tolerance) {
+  return samples.has_orientation ? fitFrom<true>(samples, shape, start, tolerance, config)
+                                 : fitFrom<false>(samples, shape, start, tolerance, config);
+}
+
+ArcFit continueArc(const PoseSamples& samples, PathShape shape, const ArcFit& last, int steps, const ArticulationConfig& config) {
+  return samples.has_orientation ? continued<true>(samples, shape, last, steps, config)
+                                 : continued<false>(samples, shape, last, steps, config);
 }
 
 Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config) {
@@ -186,6 +239,17 @@ SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const Ar
                            std::optional<double> rival, const ArticulationConfig& config) {
   return samples.has_orientation ? sequenceFrom<true>(samples, shape, fit, start, rival, config)
                                  : sequenceFrom<false>(samples, shape, fit, start, rival, config);
+}
+
+SequenceFit sequenceStart(const PoseSamples& samples, const ArcFit& fit, const Arc& start, const ArticulationConfig& config) {
+  const SequenceNoise noise(samples, config, fit.position_scale, fit.orientation_scale);
+  return {start, -std::numeric_limits<double>::infinity(), noise.noise(), false};
+}
+
+SequenceFit continueArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& last,
+                                int steps, const ArticulationConfig& config) {
+  return samples.has_orientation ? sequenceContinued<true>(samples, shape, fit, last, steps, config)
+                                 : sequenceContinued<false>(samples, shape, fit, last, steps, config);
 }
 
 }  // namespace cabinet_articulation::core

@@ -13,22 +13,82 @@ namespace {
 /// [nats] Differences in likelihood above which no other local optimum will turn the answer (measured: 24 was turned).
 constexpr double kClear = 40;
 
-/// Fits to fewer poses may be far from the truth, so that the next starts anew.
-constexpr std::size_t kFew = 12;
+/// Poses times steps of a refit.
+constexpr int kRefitWork = 160;
+
+/// Enough poses to start from.
+PoseTrack thinned(const PoseTrack& track) {
+  constexpr std::size_t kPoses = 100;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < track.size(); i += 1 + track.size() / kPoses) indices.push_back(i);
+  return selected(track, indices);
+}
+
+/// Is it time to look from everywhere again?
+bool isMuchMore(std::size_t poses, std::size_t before) { return poses > before + before / 4; }
 
 }  // namespace
 
+bool ArcModel::isEnough(const PoseTrack& track) const {
+  return track.size() >= (shape_ == PathShape::kLine || track.has_orientation ? 2u : 3u);
+}
+
 bool ArcModel::fit(const PoseTrack& track) {
-  if (track.size() < (shape_ == PathShape::kLine || track.has_orientation ? 2u : 3u)) return false;
+  if (!isEnough(track)) return false;
   const PoseSamples samples(track);
-  const bool known = fitted_to_ >= kFew && with_orientation_ == track.has_orientation;
   with_orientation_ = track.has_orientation;
-  fit_ =
-      known ? fitArc(samples, shape_, arc_, config_, FitEffort::kContinued) : fitArc(samples, shape_, startOf(samples), config_);
-  arc_ = fit_.arc;
-  orient(samples);
-  fitted_to_ = track.size();
+  take(samples, fitArc(samples, shape_, startOf(samples), config_));
+  fitted_ = true;
+  updates_ = 0;
+  fresh_.reset();
+  sequence_.reset();
+  others_.clear();
   return true;
+}
+
+bool ArcModel::refit(const PoseTrack& track) {
+  if (!fitted_ || with_orientation_ != track.has_orientation) return fit(track);
+  const PoseSamples samples(track);
+  const int steps = std::max(1, kRefitWork / static_cast<int>(samples.size()));
+  // A front that leaves the path it was thought to follow starts to move: its fit may be nowhere near.
+  const bool leaves = std::sqrt(fit_.arc.squaredDistance(samples.positions.back())) > 3 * fit_.position_scale;
+  if (fresh_) {
+    refitBesidesFresh(samples, leaves ? 0 : (steps + ++updates_ % 2) / 2, steps);
+  } else {
+    fit_ = continueArc(samples, shape_, fit_, steps, config_);
+    if (leaves || 10 * ++updates_ > static_cast<int>(samples.size())) {
+      fresh_ = ArcFit{startOf(PoseSamples(thinned(track))), config_.sigma_position, config_.sigma_orientation_floor};
+      updates_ = fresh_steps_ = 0;
+    }
+  }
+  take(samples, fit_);
+  return true;
+}
+
+/// The two fits share the steps: `steps` of `all`.
+void ArcModel::refitBesidesFresh(const PoseSamples& samples, int steps, int all) {
+  constexpr int kFreshSteps = 8;
+  fit_ = continueArc(samples, shape_, fit_, steps, config_);
+  fresh_ = continueArc(samples, shape_, *fresh_, all - steps, config_);
+  if (fresh_->cost < fit_.cost) std::swap(*fresh_, fit_);
+  fresh_steps_ += all - steps;
+  if (fresh_steps_ < kFreshSteps) return;
+  fresh_.reset();
+  updates_ = 0;
+}
+
+void ArcModel::take(const PoseSamples& samples, const ArcFit& fit) {
+  fit_ = fit;
+  arc_ = fit.arc;
+  orient(samples);
+  fit_.arc = arc_;
+}
+
+void ArcModel::moveReference(const Eigen::Vector3d& offset) {
+  fit_.arc = fit_.arc.shifted(offset);
+  fresh_.reset();
+  if (sequence_) sequence_->arc = sequence_->arc.shifted(offset);
+  for (SequenceFit& other : others_) other.arc = other.arc.shifted(offset);
 }
 
 Arc ArcModel::startOf(const PoseSamples& samples) const {
@@ -87,28 +147,48 @@ double ArcModel::configuration(const Eigen::Isometry3d& pose) const { return (ar
 
 double ArcModel::sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) {
   const PoseSamples samples(track);
-  if (samples.size() < kFew) sequence_start_.reset();
-  SequenceFit best = fitArcSequence(samples, shape_, fit_, sequence_start_.value_or(arc_), rival, config_);
-  const auto tryStart = [&](const Arc& start) {
+  sequence_ = fitArcSequence(samples, shape_, fit_, arc_, rival, config_);
+  others_.clear();
+  // Circles have local optima: where it matters, they are looked for from everywhere.
+  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
+  if (shape_ == PathShape::kLine || !close) return sequence_->log_likelihood;
+  searched_at_ = samples.size();
+  for (const Arc& start : typicalCircles(samples, arc_)) {
     const SequenceFit fit = fitArcSequence(samples, shape_, fit_, start, rival, config_);
-    if (fit.log_likelihood > best.log_likelihood) best = fit;
-  };
-  // Circles have local optima: where it matters, they are looked for from everywhere, and again when there are more poses.
-  const bool close = rival && std::abs(best.log_likelihood - *rival) < kClear;
-  if (shape_ == PathShape::kCircle && close && samples.size() > searched_at_ + searched_at_ / 4) {
-    searched_at_ = samples.size();
-    if (sequence_start_) tryStart(arc_);
-    for (const Arc& arc : typicalCircles(samples, arc_)) tryStart(arc);
+    if (fit.log_likelihood > sequence_->log_likelihood) sequence_ = fit;
   }
-  sequence_start_ = best.arc;
-  return best.log_likelihood;
+  return sequence_->log_likelihood;
+}
+
+SequenceProgress ArcModel::advanceSequence(const PoseTrack& track, int steps, std::optional<double> rival) {
+  const PoseSamples samples(track);
+  if (!sequence_) sequence_ = sequenceStart(samples, fit_, arc_, config_);
+  // The last fit may have been to other poses: it is looked at anew, if only without a step.
+  const bool tries_other = sequence_->settled && !others_.empty() && steps > 0;
+  sequence_ = continueArcSequence(samples, shape_, fit_, *sequence_, tries_other ? 0 : steps, config_);
+  if (tries_other) tryOtherStart(samples, steps);
+  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
+  if (shape_ == PathShape::kLine || !close)
+    others_.clear();
+  else if (sequence_->settled && others_.empty() && isMuchMore(samples.size(), searched_at_)) {
+    searched_at_ = samples.size();
+    others_.push_back(sequenceStart(samples, fit_, arc_, config_));
+    for (const Arc& start : typicalCircles(samples, arc_)) others_.push_back(sequenceStart(samples, fit_, start, config_));
+  }
+  return {sequence_->log_likelihood, sequence_->settled && others_.empty()};
+}
+
+void ArcModel::tryOtherStart(const PoseSamples& samples, int steps) {
+  SequenceFit& other = others_.back();
+  other = continueArcSequence(samples, shape_, fit_, other, steps, config_);
+  const bool settled = other.settled;
+  if (other.log_likelihood > sequence_->log_likelihood) sequence_ = other;
+  if (settled) others_.pop_back();
 }
 
 Eigen::MatrixXd ArcModel::parameterCovariance(const PoseTrack& track, double correlation) const {
-  ArcFit fit = fit_;
-  fit.arc = arc_;
   const double inflation = config_.covariance_factor * (1 + correlation) / (1 - correlation);
-  const Eigen::MatrixXd covariance = inflation * arcCovariance(PoseSamples(track), shape_, fit, config_);
+  const Eigen::MatrixXd covariance = inflation * arcCovariance(PoseSamples(track), shape_, fit_, config_);
   Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(9, 9);
   padded.topLeftCorner(covariance.rows(), covariance.cols()) = covariance;
   return padded;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/arc_problem.h"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "arc_place.h"
@@ -72,12 +73,20 @@ void projectOutMotion(const Eigen::Matrix<double, 6, 1>& motion, Block<6, kColum
   if (square > 1e-12) *block -= motion * ((motion.transpose() * *block) / square).eval();
 }
 
-/// The same where nothing is weighted: only the row along the path and that of turning about the axis are concerned.
+/// The same where nothing is weighted: only the row along the path and that of turning about the axis are concerned. `turn` is
+/// what moving by a metre changes in the latter; it changes by `ratio` with the curvature.
 template <int kColumns>
-void projectOutMotion(double turn, Block<6, kColumns>* block) {
-  const Eigen::Matrix<double, 1, kColumns> common = (block->row(0) + turn * block->row(5)) / (1 + turn * turn);
+void projectOutMotion(double turn, double ratio, Block<6, kColumns>* block) {
+  const double square = 1 + turn * turn;
+  const double along = (*block)(0, 0), turned = (*block)(5, 0);
+  const Eigen::Matrix<double, 1, kColumns> common = (block->row(0) + turn * block->row(5)) / square;
   block->row(0) -= common;
   block->row(5) -= turn * common;
+  if constexpr (kColumns > 1) {
+    const double change = ratio * (turned * (1 - turn * turn) - 2 * turn * along) / (square * square);
+    (*block)(0, 6) -= change;
+    (*block)(5, 6) -= turn * change + ratio * common(0);
+  }
 }
 
 template <int kColumns>
@@ -105,8 +114,14 @@ void fillBlock(const PoseSamples& samples, std::size_t i, const Evaluation& eval
         0, 0, 0, 0, 0, -place.length, 0, 0, -1;
   }
   block->template bottomRows<3>() *= evaluation.ratio;
+  const double turn = evaluation.ratio * curvature;
+  if (kColumns > 1 && !evaluation.orientation_places) {
+    // The nearest place goes along with the arc, so that nothing is ever left over along it.
+    block->row(5) -= turn / (1 + curvature * place.outward) * block->row(0);
+    block->row(0).setZero();
+  }
   if (!evaluation.weighted) {
-    projectOutMotion<kColumns>(evaluation.ratio * curvature, block);
+    projectOutMotion<kColumns>(turn, evaluation.ratio, block);
   } else {
     Eigen::Matrix3d axes;  // rows: along, outward, axis
     axes << c, s, 0, s, -c, 0, 0, 0, 1;
@@ -116,7 +131,7 @@ void fillBlock(const PoseSamples& samples, std::size_t i, const Evaluation& eval
     block->template topRows<3>() = (position * block->template topRows<3>()).eval();
     block->template bottomRows<3>() = (orientation * block->template bottomRows<3>()).eval();
     Eigen::Matrix<double, 6, 1> motion;
-    motion << position.col(0), orientation.col(2) * (evaluation.ratio * curvature);
+    motion << position.col(0), orientation.col(2) * turn;
     projectOutMotion<kColumns>(motion, block);
   }
   block->template bottomRows<3>() /= evaluation.ratio;
@@ -164,12 +179,9 @@ Arc ArcProblem<kWithOrientation>::arc(const double* parameters) const {
 
 template <bool kWithOrientation>
 template <int kColumns>
-void ArcProblem<kWithOrientation>::evaluate(const Arc& arc, double* residuals, double* jacobian) const {
+Eigen::Matrix<double, kColumns, kColumns> ArcProblem<kWithOrientation>::products(const Arc& arc) const {
   const Evaluation evaluation(arc, noise_, !samples_.position_weights.empty());
-  const int rows = NumResiduals();
-  Eigen::Map<Eigen::VectorXd> out(residuals, rows);
-  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, NUM_PARAMETERS>> out_jacobian(jacobian, kColumns > 1 ? rows : 0,
-                                                                                 NUM_PARAMETERS);
+  Eigen::Matrix<double, kColumns, kColumns> sum = Eigen::Matrix<double, kColumns, kColumns>::Zero();
   Block<kRows, kColumns> block, current, previous = Block<kRows, kColumns>::Zero();
   constexpr int kRotationRows = kRows - kPositionRows;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -190,25 +202,36 @@ void ArcProblem<kWithOrientation>::evaluate(const Arc& arc, double* residuals, d
       if constexpr (kWithOrientation)
         makeRobust(noise_.orientation, noise_.degrees_of_freedom, 3, block.template bottomRows<kRotationRows>());
     }
-    previous = current;
-    out.template segment<kRows>(kRows * i) = block.col(0);
-    if constexpr (kColumns > 1) out_jacobian.template middleRows<kRows>(kRows * i) = block.template rightCols<NUM_PARAMETERS>();
+    if (noise_.sequence) previous = current;
+    for (int a = 0; a < kColumns; ++a)
+      for (int b = a; b < kColumns; ++b) sum(b, a) += block.col(a).dot(block.col(b));
   }
-  if (!expectsHinge()) return;
-  out.tail<2>() = samples_.hinge.residuals(arc);
-  if constexpr (kWithOrientation && kColumns > 1) {
-    out_jacobian.template bottomRows<2>() = samples_.hinge.jacobian(arc);
-    if (curvature_ == Curvature::kFixed) out_jacobian.template bottomRows<2>().col(5).setZero();
-  }
+  return sum;
 }
 
 template <bool kWithOrientation>
 bool ArcProblem<kWithOrientation>::operator()(const double* parameters, double* residuals, double* jacobian) const {
+  constexpr int kColumns = 1 + NUM_PARAMETERS;
+  Eigen::Map<Eigen::Matrix<double, NUM_RESIDUALS, 1>> out(residuals);
+  out.setZero();
+  const Arc moved = arc(parameters);
   if (jacobian) {
-    evaluate<1 + NUM_PARAMETERS>(base_, residuals, jacobian);
+    Eigen::Map<Eigen::Matrix<double, NUM_RESIDUALS, NUM_PARAMETERS>> out_jacobian(jacobian);
+    out_jacobian.setZero();
+    if (!Eigen::Map<const Eigen::Matrix<double, NUM_PARAMETERS, 1>>(parameters).isZero(0)) return true;
+    const Eigen::LDLT<Eigen::Matrix<double, kColumns, kColumns>> factors(products<kColumns>(base_));
+    Eigen::Matrix<double, kColumns, kColumns> root = factors.transpositionsP() * decltype(root)::Identity();
+    root = factors.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal() * (factors.matrixU() * root).eval();
+    out.template head<kColumns>() = root.col(0);
+    out_jacobian.template topRows<kColumns>() = root.template rightCols<NUM_PARAMETERS>();
+    if constexpr (kWithOrientation) {
+      if (expectsHinge()) out_jacobian.template bottomRows<2>() = samples_.hinge.jacobian(base_);
+      if (curvature_ == Curvature::kFixed) out_jacobian.col(5).setZero();
+    }
   } else {
-    evaluate<1>(arc(parameters), residuals, nullptr);
+    out[0] = std::sqrt(products<1>(moved)(0, 0));
   }
+  if (expectsHinge()) out.template tail<2>() = samples_.hinge.residuals(moved);
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "curve_fit.h"
+#include "cabinet_articulation/articulation/curve_fit.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -9,7 +9,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kRounds = 30;
 constexpr double kShortestPath = 1e-3;  ///< [m]
 /// [1/m^2] Typical third derivative of a path by its length: what furniture does over some 15 cm (ours).
 constexpr double kTypicalBend = 50;
@@ -38,9 +37,24 @@ class CurveFitter {
     }
   }
 
-  CurveFit fit() {
+  /// From the curve and the scales of another fit.
+  CurveFit proceed(CurveFit last) {
+    fit_ = std::move(last);
+    // Until they are thinned out again, all poses but the last stay the same.
+    const std::size_t same = fit_.q.size() <= samples_.size() && !fit_.q.empty() ? fit_.q.size() - 1 : 0;
+    fit_.q.resize(samples_.size());
+    const double metres_per_radian = metresPerRadian();
+    for (std::size_t i = same; i < samples_.size(); ++i) fit_.q[i] = fit_.curve.nearest(poseOf(i), metres_per_radian);
+    measure();
+    followLength();
+    solve();
+    measure();
+    return fit_;
+  }
+
+  CurveFit fit(int rounds) {
     double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
       solve();
       measure();
       if (std::abs(last - fit_.cost) < 1e-4 * fit_.cost + 1e-12) break;
@@ -86,18 +100,25 @@ class CurveFitter {
     fit_.freedom = solver.solve(normal).trace();
   }
 
+  double metresPerRadian() const {
+    return samples_.has_orientation ? fit_.position_scale / std::max(fit_.orientation_scale, config_.sigma_orientation_floor) : 0;
+  }
+
+  Eigen::Isometry3d poseOf(std::size_t i) const {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = samples_.positions[i];
+    pose.linear() = samples_.orientations[i].toRotationMatrix();
+    return pose;
+  }
+
   /// Places, scales and weights from knots.
   void measure() {
     const double limit = 3 * config_.sigma_position;
-    const double metres_per_radian =
-        samples_.has_orientation ? fit_.position_scale / std::max(fit_.orientation_scale, config_.sigma_orientation_floor) : 0;
+    const double metres_per_radian = metresPerRadian();
     std::vector<double> distances, angles;
     fit_.cost = 0;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.translation() = samples_.positions[i];
-      pose.linear() = samples_.orientations[i].toRotationMatrix();
-      fit_.q[i] = fit_.curve.nearestFrom(fit_.q[i], pose, metres_per_radian);
+      fit_.q[i] = fit_.curve.nearestFrom(fit_.q[i], poseOf(i), metres_per_radian);
       const Eigen::Isometry3d at = fit_.curve.pose(fit_.q[i]);
       const auto row = values_.row(static_cast<Eigen::Index>(i));
       if (!samples_.position_weights.empty()) {
@@ -158,8 +179,12 @@ class CurveFitter {
 
 }  // namespace
 
-CurveFit fitCurve(const PoseSamples& samples, const std::vector<double>& q, const ArticulationConfig& config) {
-  return CurveFitter(samples, q, config).fit();
+CurveFit fitCurve(const PoseSamples& samples, const std::vector<double>& q, const ArticulationConfig& config, int rounds) {
+  return CurveFitter(samples, q, config).fit(rounds);
+}
+
+CurveFit continueCurve(const PoseSamples& samples, CurveFit last, const ArticulationConfig& config) {
+  return CurveFitter(samples, last.q, config).proceed(std::move(last));
 }
 
 }  // namespace cabinet_articulation::core

@@ -12,37 +12,14 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// Poses by which moving models are compared where that is clear: runs of a long track tell as much of its noise as all.
-constexpr std::size_t kRunPoses = 120;
+/// So few can be looked at from everywhere each time.
+constexpr std::size_t kFewPoses = 12;
 
-/// [nats] Between the evidence of moving models.
-constexpr double kClear = 25;
+/// So few can be fitted by all models.
+constexpr std::size_t kTurnPoses = 60;
 
-/// Runs of poses from the first that at least one of the models explains: a sequence is tied to the path by its first
-/// residual, which must not be a false detection.
-PoseTrack fromExplained(const PoseTrack& track, const std::vector<Candidate>& candidates, double limit) {
-  const auto explained = [&](const Eigen::Isometry3d& pose) {
-    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-      if (!candidate.model->moves()) return false;
-      const Eigen::Isometry3d predicted = candidate.model->predict(candidate.model->configuration(pose));
-      return (pose.translation() - predicted.translation()).norm() <= limit;
-    });
-  };
-  std::vector<std::size_t> indices;
-  std::vector<char> run_starts;
-  bool waiting = true;
-  for (std::size_t i = 0; i < track.size(); ++i) {
-    waiting = waiting || track.startsRun(i);
-    if (waiting && !explained(track.poses[i])) continue;
-    indices.push_back(i);
-    run_starts.push_back(waiting);
-    waiting = false;
-  }
-  if (indices.empty()) return track;
-  PoseTrack sequence = selected(track, indices);
-  sequence.run_starts = run_starts;
-  return sequence;
-}
+/// Fewer do not tell for long which point of the front is seen best.
+constexpr std::size_t kFew = 16;
 
 /// The candidate that explains motion best; null without one.
 const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
@@ -73,32 +50,50 @@ bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isom
 
 }  // namespace
 
-FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config), observations_(config) { createModels(); }
-
-void FrontLearner::chooseReference(const Track& track) {
-  // The choice changes what q means, so it is only looked at again when twice as much is known; a few poses may err in it.
-  constexpr std::size_t kFew = 16;
-  if (observations_.size() >= kFew && observations_.size() < 2 * reference_chosen_at_) return;
-  const ReferencePoint* chosen = reference_chosen_at_ > 0 ? &reference_ : nullptr;
-  const ReferencePoint best = bestReferencePoint(observations_, track.width, track.height, chosen, config_);
-  const bool changed = !chosen || best.x != chosen->x || best.y != chosen->y;
-  reference_ = best;
-  reference_chosen_at_ = std::max(kFew / 2, observations_.size());
-  if (!changed) return;
-  createModels();
-  compared_at_ = 0;
+FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config), observations_(config), comparison_(config) {
+  startAnew();
 }
 
-void FrontLearner::createModels() {
+void FrontLearner::startAnew() {
   models_.clear();
   for (const ModelEntry& entry : modelRegistry())
     if (config_.*entry.enabled) models_.push_back(entry.create(config_));
+  reference_search_.reset();
+  reference_chosen_at_ = 0;
+  comparison_.reset();
+  reference_ = {};
+}
+
+void FrontLearner::chooseReference(const Track& track) {
+  // The choice changes what q means, so it is only looked at again when twice as much is known; a few poses may err in it.
+  const bool due = observations_.size() < kFew || observations_.size() >= 2 * reference_chosen_at_;
+  if (!reference_search_ && !due) return;
+  if (!reference_search_) reference_search_.emplace(config_);
+  bool done = false;
+  do done = reference_search_->advance(observations_, track.width, track.height);
+  while (thorough_ && !done);
+  if (!done) return;
+  const ReferencePoint best = reference_search_->best(reference_chosen_at_ > 0 ? &reference_ : nullptr);
+  reference_search_.reset();
+  reference_chosen_at_ = std::max(kFew / 2, observations_.size());
+  if (best.x == reference_.x && best.y == reference_.y) return;
+  for (const auto& model : models_)
+    model->moveReference(best.offset(track.width, track.height) - reference_.offset(track.width, track.height));
+  reference_ = best;
+  reference_moved_ = true;
+  comparison_.reset();
 }
 
 void FrontLearner::fitModels(const PoseTrack& track, bool parametric) {
-  for (const auto& model : models_)
-    if (model->isParametric() == parametric && model->fit(track))
-      candidates_.push_back(evaluateCandidate(model.get(), track, config_));
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    ArticulationModel& model = *models_[i];
+    if (model.isParametric() != parametric) continue;
+    // Models that did not explain the front best take turns.
+    const bool rests = parametric && !reference_moved_ && track.size() > kTurnPoses && model.type() != learned_.type &&
+                       (observations_.size() + i) % 2 == 1;
+    const bool fitted = thorough_ ? model.fit(track) : rests || model.refit(track);
+    if (fitted) candidates_.push_back(evaluateCandidate(&model, track, config_));
+  }
 }
 
 void FrontLearner::compareMotions(const MotionCriterion& criterion) {
@@ -107,48 +102,20 @@ void FrontLearner::compareMotions(const MotionCriterion& criterion) {
                                         criterion.isEvidentEarly(*candidate.model, candidate.residuals, spaced_));
   });
   // How a front moves that stands still is not worth the time.
-  if (!moves) compared_at_ = 0;
-  // What was clear stays clear until a good deal more is known.
-  const bool known = compared_at_ > 0 && evidences_.size() == candidates_.size() && 10 * observations_.size() < 11 * compared_at_;
-  if (moves && !(known && isClear())) {
-    const double limit = 3 * config_.sigma_position;
-    compareSequences(fromExplained(poses_, candidates_, limit));
-    const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
-    if (!isClear() && poses_.size() < std::min(more, observations_.size()))
-      compareSequences(fromExplained(observations_.runs(reference_, more), candidates_, limit));
-    compared_at_ = observations_.size();
-  }
-  for (std::size_t i = 0; i < candidates_.size(); ++i) candidates_[i].evidence = moves ? evidences_[i] : 0;
-}
-
-void FrontLearner::compareSequences(const PoseTrack& track) {
-  evidences_.assign(candidates_.size(), 0);
-  std::optional<double> rival;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    ArticulationModel& model = *candidates_[i].model;
-    if (!model.moves()) continue;
-    // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
-    const bool few = track.size() < MotionCriterion::kFew && !track.orientation_weights.empty();
-    const double likelihood = few ? 0 : model.sequenceLogLikelihood(track, rival);
-    evidences_[i] = likelihood - 0.5 * model.complexity(track.has_orientation) * std::log(static_cast<double>(track.size()));
-    rival = std::max(rival.value_or(likelihood), likelihood);
-  }
-}
-
-bool FrontLearner::isClear() const {
-  double first = -std::numeric_limits<double>::infinity(), second = first;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    if (!candidates_[i].model->moves()) continue;
-    second = std::max(second, std::min(first, evidences_[i]));
-    first = std::max(first, evidences_[i]);
-  }
-  return first - second > kClear;
+  if (moves)
+    comparison_.update(observations_, reference_, thorough_, &candidates_);
+  else
+    comparison_.reset();
 }
 
 bool FrontLearner::update(const Track& track) {
+  const std::size_t known = observations_.isContinuedBy(track) ? observations_.size() : 0;
   if (!observations_.update(track)) return false;
+  if (known == 0) startAnew();
+  thorough_ = observations_.size() < kFewPoses || 4 * observations_.size() > 5 * known;
+  reference_moved_ = false;
   chooseReference(track);
-  poses_ = observations_.runs(reference_, kRunPoses);
+  poses_ = observations_.runs(reference_, MotionComparison::kRunPoses);
   poses_.outline = observations_.outline(reference_, track.width, track.height);
   front_.id = track.id;
   front_.width = track.width;

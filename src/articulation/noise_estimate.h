@@ -18,6 +18,12 @@ class IndependentNoise {
     noise_.orientation = std::max(config.sigma_orientation, config.sigma_orientation_floor);
   }
 
+  /// Goes on from the scales of an earlier fit.
+  IndependentNoise(const ArticulationConfig& config, double position_scale, double orientation_scale) : IndependentNoise(config) {
+    noise_.position = noise_.placing_position = position_scale;
+    noise_.orientation = noise_.placing_orientation = orientation_scale;
+  }
+
   const ResidualNoise& noise() const { return noise_; }
 
   /// Takes the scales from raw residuals, one pose a column, and gives their negative log-likelihood up to a constant.
@@ -85,6 +91,12 @@ class SequenceNoise {
     noise_.placing_orientation = orientation_scale;
   }
 
+  /// Goes on from what an earlier fit found.
+  SequenceNoise(const PoseSamples& samples, const ResidualNoise& known, double position_scale, double orientation_scale)
+      : run_starts_(samples.run_starts), orientation_scale_(orientation_scale), noise_(known) {
+    noise_.placing_position = position_scale;
+  }
+
   const ResidualNoise& noise() const { return noise_; }
 
   template <class Problem>
@@ -121,8 +133,10 @@ class SequenceNoise {
         square += weight * residuals.col(i - 1).squaredNorm();
         innovations += weight * innovation;
       }
+      const double last_correlation = *correlation, last_scale = *scale;
       *correlation = std::clamp(product / (square + 4 * dimensions * *scale * *scale), 0.0, kLargestCorrelation);
       *scale = std::max(kFloor, std::sqrt(innovations / (dimensions * n)));
+      if (std::abs(*correlation - last_correlation) < 1e-3 && std::abs(*scale - last_scale) < 1e-3 * *scale) break;
     }
     double cost = 0;
     for (Eigen::Index i = 0; i < residuals.cols(); ++i) {

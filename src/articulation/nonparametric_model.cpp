@@ -6,36 +6,58 @@
 #include <limits>
 
 #include "cabinet_articulation/articulation/arc_start.h"
-#include "curve_fit.h"
+#include "cabinet_articulation/articulation/motion_criterion.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kLeastPoses = 8;
+static_assert(kLeastPoses > MotionCriterion::kFew, "the evidence of joints that a few poses tell is not that of a free curve");
+
 constexpr int kCurvePoses = 33;
 
 /// For learned models: what a front's place says about q against its turn, as for a rotational joint.
 constexpr double kMetresPerRadian = 0.03;
 
-/// The better of the fits that start from places along a line and along a circle.
-CurveFit bestFit(const PoseSamples& samples, const ArticulationConfig& config) {
-  CurveFit best;
-  best.cost = std::numeric_limits<double>::infinity();
-  for (const PathShape shape : {PathShape::kLine, PathShape::kCircle}) {
-    const Arc arc = consensusArc(samples, shape, config);
-    std::vector<double> q;
-    for (const Eigen::Vector3d& p : samples.positions) q.push_back(arc.arcLength(p));
-    CurveFit fit = fitCurve(samples, q, config);
-    if (fit.cost < best.cost) best = std::move(fit);
-  }
-  return best;
+/// Places along a line or a circle to start from.
+std::vector<double> placesAlong(PathShape shape, const PoseSamples& samples, const ArticulationConfig& config) {
+  const Arc arc = consensusArc(samples, shape, config);
+  std::vector<double> q;
+  for (const Eigen::Vector3d& p : samples.positions) q.push_back(arc.arcLength(p));
+  return q;
 }
+
+bool isCheaper(const CurveFit& a, const CurveFit& b) { return a.cost < b.cost; }
 
 }  // namespace
 
 bool NonparametricModel::fit(const PoseTrack& track) {
   if (track.size() < kLeastPoses) return false;
-  const CurveFit fit = bestFit(PoseSamples(track), config_);
+  const PoseSamples samples(track);
+  fits_.clear();
+  for (const PathShape shape : {PathShape::kLine, PathShape::kCircle})
+    fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_));
+  take(*std::min_element(fits_.begin(), fits_.end(), isCheaper), track);
+  return true;
+}
+
+bool NonparametricModel::refit(const PoseTrack& track) {
+  if (track.size() < kLeastPoses) return false;
+  const PoseSamples samples(track);
+  if (fits_.empty()) {
+    for (const PathShape shape : {PathShape::kLine, PathShape::kCircle})
+      fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_, 1));
+  } else {
+    // The worse one only now and then.
+    const auto best = std::min_element(fits_.begin(), fits_.end(), isCheaper);
+    CurveFit& next = ++refits_ % 4 == 0 ? fits_[best == fits_.begin()] : *best;
+    next = continueCurve(samples, std::move(next), config_);
+  }
+  take(*std::min_element(fits_.begin(), fits_.end(), isCheaper), track);
+  return true;
+}
+
+void NonparametricModel::take(const CurveFit& fit, const PoseTrack& track) {
   position_scale_ = fit.position_scale;
   orientation_scale_ = fit.orientation_scale;
   metres_per_radian_ =
@@ -53,7 +75,6 @@ bool NonparametricModel::fit(const PoseTrack& track) {
   const PoseCurve::Weights w = PoseCurve::weights(knots, fit.curve.first(), step, first);
   variance_ = w.value.dot(fit.covariance.block<4, 4>(w.first, w.first) * w.value);
   curve_ = fit.curve.reparametrised(first, first - fit.curve.first() > fit.curve.last() - first);
-  return true;
 }
 
 int NonparametricModel::complexity(bool with_orientation) const {

@@ -16,22 +16,6 @@ constexpr std::size_t kComparedPoses = 50;
 constexpr double kSteadySize = 0.01;  ///< [m]
 constexpr std::size_t kEarly = 16;    ///< poses up to which it matters that a point far from the hinge moves more
 
-/// The path of another point of the same front: `offset` away in the front's frame.
-Arc shifted(const Arc& arc, const Eigen::Vector3d& offset) {
-  Arc moved = arc;
-  moved.middle = arc.middle + arc.orientation * offset;
-  if (std::abs(arc.curvature) < 1e-9) return moved;
-  Eigen::Vector3d inward = arc.center() - moved.middle;
-  inward -= arc.axis() * arc.axis().dot(inward);
-  const double radius = inward.norm();
-  if (radius < 1e-6) return moved;
-  const double turn = arc.curvature > 0 ? 1 : -1;
-  moved.frame.col(1) = turn * inward / radius;
-  moved.frame.col(0) = moved.frame.col(1).cross(arc.axis());
-  moved.curvature = turn / radius;
-  return moved;
-}
-
 /// Noise of the positions in shares of the way they come along the path. What hardly moves fits well and says little.
 double relativeNoise(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config) {
   const double limit = 3 * config.sigma_position;
@@ -49,27 +33,28 @@ double relativeNoise(const PoseSamples& samples, const Arc& arc, const Articulat
 
 }  // namespace
 
-ReferencePoint bestReferencePoint(const FrontPoses& poses, double width, double height, const ReferencePoint* preferred,
-                                  const ArticulationConfig& config) {
-  if (width <= 0 || height <= 0 || poses.size() < 3) return {};
-  if (poses.size() >= kEarly && poses.sizeDeviation() < kSteadySize) return {};
-  struct Option {
-    ReferencePoint point;
-    double noise;
-  };
-  std::vector<Option> options;
-  Arc center_arc;
+bool ReferenceSearch::advance(const FrontPoses& poses, double width, double height) {
   // Corners turn about a hinge as the middles of edges do.
-  for (const ReferencePoint point : {ReferencePoint{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-    const PoseSamples samples(poses.track(point, kComparedPoses));
-    const Arc start = options.empty() ? bestCircleStart(samples, config) : shifted(center_arc, point.offset(width, height));
-    const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config, FitEffort::kRough);
-    if (options.empty()) center_arc = fit.arc;
-    options.push_back({point, relativeNoise(samples, fit.arc, config)});
+  static const std::vector<ReferencePoint> kPoints{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+  const bool unknown = width <= 0 || height <= 0 || poses.size() < 3;
+  if (unknown || (poses.size() >= kEarly && poses.sizeDeviation() < kSteadySize)) {
+    options_.clear();
+    return true;
   }
+  const ReferencePoint point = kPoints[options_.size()];
+  const PoseSamples samples(poses.track(point, kComparedPoses));
+  const Arc start = options_.empty() ? bestCircleStart(samples, config_) : center_arc_.shifted(point.offset(width, height));
+  const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config_, kRoughFit);
+  if (options_.empty()) center_arc_ = fit.arc;
+  options_.push_back({point, relativeNoise(samples, fit.arc, config_)});
+  return options_.size() == kPoints.size();
+}
+
+ReferencePoint ReferenceSearch::best(const ReferencePoint* preferred) const {
+  if (options_.empty()) return {};
   const auto quieter = [](const Option& a, const Option& b) { return a.noise < b.noise; };
-  const auto best = std::min_element(options.begin(), options.end(), quieter);
-  for (const Option& option : options)
+  const auto best = std::min_element(options_.begin(), options_.end(), quieter);
+  for (const Option& option : options_)
     if (preferred && option.point.x == preferred->x && option.point.y == preferred->y && option.noise < 1.1 * best->noise)
       return *preferred;
   return best->point;

@@ -8,6 +8,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kRounds = 8;
+constexpr double kTolerance = 1e-6;  ///< [m], [rad]
 
 /// Coordinate-wise median: a start that gross outliers cannot move.
 Eigen::Vector3d medianPosition(const PoseSamples& samples) {
@@ -47,8 +48,11 @@ bool RigidModel::fit(const PoseTrack& track) {
       const double angle = samples.orientations[i].angularDistance(orientation) / config_.sigma_orientation;
       orientation_sum += q * (nu + 3) / (nu + angle * angle);
     }
+    const Eigen::Vector3d last = position;
+    const Eigen::Quaterniond last_orientation = orientation;
     position = information.ldlt().solve(sum);
     orientation.coeffs() = orientation_sum.normalized();
+    if ((position - last).norm() < kTolerance && orientation.angularDistance(last_orientation) < kTolerance) break;
   }
   pose_.translation() = position;
   pose_.linear() = orientation.toRotationMatrix();

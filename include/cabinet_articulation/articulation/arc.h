@@ -31,6 +31,9 @@ struct Arc {
 
   /// The same path with its middle moved to s.
   Arc recentered(double s) const;
+
+  /// The path of another point of the same front: `offset` away in the front's frame.
+  Arc shifted(const Eigen::Vector3d& offset) const;
 };
 
 /// Arc length of the mean of the points: on a circle in the mean direction as seen from its centre, so that the cut of an

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cabinet_articulation/articulation/arc_fit.h"
 #include "cabinet_articulation/articulation/articulation_model.h"
@@ -15,9 +16,12 @@ class ArcModel : public ArticulationModel {
 
   bool moves() const override { return true; }
   bool fit(const PoseTrack& track) override;
+  bool refit(const PoseTrack& track) override;
+  void moveReference(const Eigen::Vector3d& offset) override;
   Eigen::Isometry3d predict(double q) const override { return arc_.pose(first_ + q / unit()); }
   double configuration(const Eigen::Isometry3d& pose) const override;
   double sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) override;
+  SequenceProgress advanceSequence(const PoseTrack& track, int steps, std::optional<double> rival) override;
 
  protected:
   /// q per metre of path.
@@ -30,15 +34,23 @@ class ArcModel : public ArticulationModel {
   double first_ = 0;  ///< [m] arc length at q = 0
 
  private:
+  bool isEnough(const PoseTrack& track) const;
   Arc startOf(const PoseSamples& samples) const;
+  void take(const PoseSamples& samples, const ArcFit& fit);
+  void refitBesidesFresh(const PoseSamples& samples, int steps, int all);
+  void tryOtherStart(const PoseSamples& samples, int steps);
   double arcLength(const Eigen::Isometry3d& pose) const;
   void orient(const PoseSamples& samples);
 
   PathShape shape_;
   ArcFit fit_;
-  std::optional<Arc> sequence_start_;  ///< the last sequence fit's path
-  std::size_t searched_at_ = 0;        ///< poses when the sequence fit was started from everywhere last
-  std::size_t fitted_to_ = 0;          ///< poses
+  std::optional<ArcFit> fresh_;  ///< from where the poses say, which may become better
+  int fresh_steps_ = 0;
+  std::optional<SequenceFit> sequence_;  ///< the best so far
+  std::vector<SequenceFit> others_;      ///< from other starts, which may become better
+  std::size_t searched_at_ = 0;          ///< poses when the sequence fit was started from everywhere last
+  int updates_ = 0;                      ///< since the fit was last started from the poses
+  bool fitted_ = false;
   bool with_orientation_ = true;
 };
 

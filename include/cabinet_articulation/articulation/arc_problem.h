@@ -28,14 +28,15 @@ struct ResidualNoise {
 enum class Curvature { kFree, kFixed };
 
 /// The residuals of a track about an Arc, as ceres::TinySolver takes them: half their square sum is the negative
-/// log-likelihood of the noise, up to a constant. The best place along the path of each pose is eliminated from the
-/// problem. Parameters are increments to a base arc, so that rotations need no constraint:
+/// log-likelihood of the noise, up to a constant. However many poses there are, they are rotated into as many residuals as
+/// there are parameters and one more, which have the same products and cost the solver nothing. The best place along the path of
+/// each pose is eliminated from the problem. Parameters are increments to a base arc, so that rotations need no constraint:
 /// 0, 1: middle (inward, along the axis), 2-4: rotation of the frame, 5: curvature, 6-8: rotation of the orientation.
 template <bool kWithOrientation>
 class ArcProblem {
  public:
   using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = kWithOrientation ? 9 : 6 };
+  enum { NUM_PARAMETERS = kWithOrientation ? 9 : 6, NUM_RESIDUALS = NUM_PARAMETERS + 3 };
   /// Position: along, outward and along the axis (without orientation the first is always 0 and left out); rotation
   /// vector in the arc's frame.
   static constexpr int kRows = kWithOrientation ? 6 : 2;
@@ -45,17 +46,15 @@ class ArcProblem {
   ArcProblem(const PoseSamples& samples, const ResidualNoise& noise, const Arc& base, Curvature curvature)
       : samples_(samples), noise_(noise), base_(base), curvature_(curvature) {}
 
-  int NumResiduals() const { return kRows * static_cast<int>(samples_.size()) + (expectsHinge() ? 2 : 0); }
-
-  /// `jacobian` (column-major) may be null; it is that of the base arc, so asked for at zero increments only: a fit
-  /// moves the base with every step.
+  /// `jacobian` (column-major) may be null; it is that of the base arc. At other increments all is zero, which ends a solver:
+  /// a fit moves the base with every step.
   bool operator()(const double* parameters, double* residuals, double* jacobian) const;
 
   /// The base arc with increments applied.
   Arc arc(const double* parameters) const;
 
   /// Negative log-likelihood of where the base arc's axis is, where something is known about the hinge: that of the last two
-  /// residuals.
+  /// residuals, which are zero elsewhere.
   double hingeCost() const;
 
   /// Raw residuals [m, rad] of every pose about the base arc, one column each.
@@ -64,9 +63,10 @@ class ArcProblem {
  private:
   bool expectsHinge() const { return kWithOrientation && samples_.hinge.sigma > 0 && base_.curvature != 0; }
 
-  /// kColumns: 1 for residuals alone, 1 + NUM_PARAMETERS with derivatives.
+  /// Products of residuals (first) and their derivatives with one another, the lower half. kColumns: 1 for residuals alone,
+  /// 1 + NUM_PARAMETERS with derivatives.
   template <int kColumns>
-  void evaluate(const Arc& arc, double* residuals, double* jacobian) const;
+  Eigen::Matrix<double, kColumns, kColumns> products(const Arc& arc) const;
 
   const PoseSamples& samples_;
   const ResidualNoise& noise_;

@@ -33,6 +33,12 @@ struct ModelResiduals {
   double path = 0;              ///< [m] length of the path between them
 };
 
+/// How far ArticulationModel::advanceSequence() got.
+struct SequenceProgress {
+  double log_likelihood = 0;
+  bool settled = true;  ///< more steps would find nothing better
+};
+
 /// One kind of joint (paper III-D.1). q is 0 at the first pose it was fitted to and grows in the direction of the first
 /// opening: q_max >= -q_min.
 class ArticulationModel {
@@ -52,9 +58,16 @@ class ArticulationModel {
   /// Number of parameters, for the penalty of Eq. (11).
   virtual int complexity(bool with_orientation) const = 0;
 
-  /// Estimates the parameters from a track of finite poses, in the order of their stamps. A model that was fitted before starts
-  /// from there. False if the track is too short for this model; the model is then unchanged.
+  /// Estimates the parameters from a track of finite poses, in the order of their stamps. False if the track is too short for
+  /// this model; the model is then unchanged.
   virtual bool fit(const PoseTrack& track) = 0;
+
+  /// The same for a track that goes on, in a bounded time: starts from the last fit, and may leave some of the work to the
+  /// next call.
+  virtual bool refit(const PoseTrack& track) { return fit(track); }
+
+  /// From now on the point of the front is observed that was `offset` away in the front's frame.
+  virtual void moveReference(const Eigen::Vector3d& /*offset*/) {}
 
   /// The pose at q, Eq. (8).
   virtual Eigen::Isometry3d predict(double q) const = 0;
@@ -77,6 +90,11 @@ class ArticulationModel {
   /// may adapt itself to that for the purpose, but its parameters stay. Compares models that move (see
   /// model_selection.h). `rival` is the best of the others so far: where the difference is clear, less effort will do.
   virtual double sequenceLogLikelihood(const PoseTrack& track, std::optional<double> rival) = 0;
+
+  /// The same in parts: the best so far, after `steps` more steps from the last fit.
+  virtual SequenceProgress advanceSequence(const PoseTrack& track, int /*steps*/, std::optional<double> rival) {
+    return {sequenceLogLikelihood(track, rival), true};
+  }
 
   ModelResiduals residuals(const PoseTrack& track) const;
 

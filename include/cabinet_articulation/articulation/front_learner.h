@@ -2,16 +2,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/articulation/model_selection.h"
+#include "cabinet_articulation/articulation/motion_comparison.h"
 #include "cabinet_articulation/articulation/motion_criterion.h"
 #include "cabinet_articulation/articulation/reference_point.h"
 
 namespace cabinet_articulation::core {
 
-/// Learns one track. Keeps its models, so that an update starts from the last fit.
+/// Learns one track. Keeps its models, so that an update after a few more observations starts from the last fits. It takes a
+/// bounded time: what needs more, as the search for other optima, is spread over the updates that follow. A track whose history
+/// was placed anew is learned as if it had never been seen.
 class FrontLearner {
  public:
   explicit FrontLearner(const ArticulationConfig& config);
@@ -27,23 +31,23 @@ class FrontLearner {
 
  private:
   LearnedModel describe(const Candidate& candidate) const;
+  void startAnew();
   void chooseReference(const Track& track);
-  void createModels();
   void fitModels(const PoseTrack& track, bool parametric);
   void compareMotions(const MotionCriterion& criterion);
-  void compareSequences(const PoseTrack& track);
-  bool isClear() const;
 
   ArticulationConfig config_;
   FrontPoses observations_;
   std::vector<std::unique_ptr<ArticulationModel>> models_;
   ReferencePoint reference_;
+  std::optional<ReferenceSearch> reference_search_;
   std::size_t reference_chosen_at_ = 0;  ///< observations when the reference point was chosen last
   Track front_;                          ///< id and size of the track
   PoseTrack poses_;                      ///< of the reference point, in runs
   PoseTrack spaced_;                     ///< of the reference point, evenly spaced
-  std::vector<double> evidences_;        ///< of the candidates, when they were compared last
-  std::size_t compared_at_ = 0;          ///< observations at that time
+  bool reference_moved_ = false;         ///< in this update
+  MotionComparison comparison_;
+  bool thorough_ = true;  ///< this update does everything at once
   std::vector<Candidate> candidates_;
   Selection selection_;
   LearnedModel learned_;

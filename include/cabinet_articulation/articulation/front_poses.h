@@ -28,6 +28,9 @@ class FrontPoses {
   /// Takes over what the track has now. False, and nothing changes, if it has no usable observation.
   bool update(const Track& track);
 
+  /// Whether the track is the one of the last update, with nothing but new observations after those.
+  bool isContinuedBy(const Track& track) const;
+
   std::size_t size() const { return entries_.size(); }
 
   /// [m] Mean deviation of the measured width or height, whichever varies more.
@@ -57,7 +60,6 @@ class FrontPoses {
 
   PoseTrack picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries) const;
-  bool isContinuedBy(const Track& track) const;
 
   ArticulationConfig config_;
   std::vector<Entry> entries_;

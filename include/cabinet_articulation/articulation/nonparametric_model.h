@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/articulation/articulation_model.h"
 #include "cabinet_articulation/articulation/configuration_unit.h"
+#include "cabinet_articulation/articulation/curve_fit.h"
 #include "cabinet_articulation/articulation/pose_curve.h"
 
 namespace cabinet_articulation::core {
@@ -27,6 +28,7 @@ class NonparametricModel : public ArticulationModel {
   bool isParametric() const override { return false; }
   int complexity(bool with_orientation) const override;
   bool fit(const PoseTrack& track) override;
+  bool refit(const PoseTrack& track) override;
   Eigen::Isometry3d predict(double q) const override { return curve_.pose(q); }
   double configuration(const Eigen::Isometry3d& pose) const override { return curve_.nearest(pose, metres_per_radian_); }
   /// The axis is the direction from one end of what was seen to the other.
@@ -38,7 +40,11 @@ class NonparametricModel : public ArticulationModel {
   double sequenceLogLikelihood(const PoseTrack&, std::optional<double>) override { return -1e300; }
 
  private:
-  PoseCurve curve_;
+  void take(const CurveFit& fit, const PoseTrack& track);
+
+  std::vector<CurveFit> fits_;  ///< that started along a line and along a circle
+  int refits_ = 0;
+  PoseCurve curve_;  ///< of the better one
   double metres_per_radian_ = 0;
   double position_scale_ = 0, orientation_scale_ = 0;
   double freedom_ = 0;

@@ -23,6 +23,9 @@ struct CurveFit {
 
 /// A principal curve: alternates between the smoothest knots that poses agree with, by penalised least squares with
 /// Student's t weights, and the places of the poses along the curve. `q` are places to start from [m].
-CurveFit fitCurve(const PoseSamples& samples, const std::vector<double>& q, const ArticulationConfig& config);
+CurveFit fitCurve(const PoseSamples& samples, const std::vector<double>& q, const ArticulationConfig& config, int rounds = 30);
+
+/// One round on from a fit to almost the same poses.
+CurveFit continueCurve(const PoseSamples& samples, CurveFit last, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core
