@@ -69,9 +69,9 @@ void FrontLearner::chooseReference(const Track& track) {
   const bool due = observations_.size() < kFew || observations_.size() >= 2 * reference_chosen_at_;
   if (!reference_search_ && !due) return;
   if (!reference_search_) reference_search_.emplace(config_);
-  bool done = false;
-  do done = reference_search_->advance(observations_, track.width, track.height);
-  while (thorough_ && !done);
+  const bool at_once = thorough_ && (reference_chosen_at_ == 0 || observations_.size() < kFew / 2);
+  bool done = reference_search_->advance(observations_, track.width, track.height);
+  while (at_once && !done) done = reference_search_->advance(observations_, track.width, track.height);
   if (!done) return;
   const ReferencePoint best = reference_search_->best(reference_chosen_at_ > 0 ? &reference_ : nullptr);
   reference_search_.reset();
@@ -85,12 +85,13 @@ void FrontLearner::chooseReference(const Track& track) {
 }
 
 void FrontLearner::fitModels(const PoseTrack& track, bool parametric) {
-  for (std::size_t i = 0; i < models_.size(); ++i) {
-    ArticulationModel& model = *models_[i];
+  std::size_t turn = observations_.size();
+  for (const auto& entry : models_) {
+    ArticulationModel& model = *entry;
     if (model.isParametric() != parametric) continue;
     // Models that did not explain the front best take turns.
-    const bool rests = parametric && !reference_moved_ && track.size() > kTurnPoses && model.type() != learned_.type &&
-                       (observations_.size() + i) % 2 == 1;
+    const bool takes_turns = parametric && !reference_moved_ && track.size() > kTurnPoses && model.type() != learned_.type;
+    const bool rests = takes_turns && ++turn % 2 == 1;
     const bool fitted = thorough_ ? model.fit(track) : rests || model.refit(track);
     if (fitted) candidates_.push_back(evaluateCandidate(&model, track, config_));
   }

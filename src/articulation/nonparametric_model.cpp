@@ -44,9 +44,9 @@ bool NonparametricModel::fit(const PoseTrack& track) {
 bool NonparametricModel::refit(const PoseTrack& track) {
   if (track.size() < kLeastPoses) return false;
   const PoseSamples samples(track);
-  if (fits_.empty()) {
-    for (const PathShape shape : {PathShape::kLine, PathShape::kCircle})
-      fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_, 1));
+  if (fits_.size() < 2) {
+    const PathShape shape = fits_.empty() ? PathShape::kLine : PathShape::kCircle;
+    fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_, 1));
   } else {
     // The worse one only now and then.
     const auto best = std::min_element(fits_.begin(), fits_.end(), isCheaper);

@@ -85,7 +85,7 @@ double PoseCurve::nearestFrom(double q, const Eigen::Isometry3d& pose, double me
     if (square < 1e-18) break;
     const double change = std::clamp(along / square, -4 * step_, 4 * step_);
     q += change;
-    if (std::abs(change) < 1e-12) break;
+    if (std::abs(change) < 1e-9) break;
   }
   return q;
 }
