@@ -12,13 +12,10 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// So few can be looked at from everywhere each time.
-constexpr std::size_t kFewPoses = 12;
-
 /// So few can be fitted by all models.
 constexpr std::size_t kTurnPoses = 60;
 
-/// Fewer do not tell for long which point of the front is seen best.
+/// Fewer can be looked at from everywhere each time, and do not tell for long which point of the front is seen best.
 constexpr std::size_t kFew = 16;
 
 /// The candidate that explains motion best; null without one.
@@ -69,9 +66,8 @@ void FrontLearner::chooseReference(const Track& track) {
   const bool due = observations_.size() < kFew || observations_.size() >= 2 * reference_chosen_at_;
   if (!reference_search_ && !due) return;
   if (!reference_search_) reference_search_.emplace(config_);
-  const bool at_once = thorough_ && (reference_chosen_at_ == 0 || observations_.size() < kFew / 2);
   bool done = reference_search_->advance(observations_, track.width, track.height);
-  while (at_once && !done) done = reference_search_->advance(observations_, track.width, track.height);
+  while (thorough_ && !done) done = reference_search_->advance(observations_, track.width, track.height);
   if (!done) return;
   const ReferencePoint best = reference_search_->best(reference_chosen_at_ > 0 ? &reference_ : nullptr);
   reference_search_.reset();
@@ -113,7 +109,7 @@ bool FrontLearner::update(const Track& track) {
   const std::size_t known = observations_.isContinuedBy(track) ? observations_.size() : 0;
   if (!observations_.update(track)) return false;
   if (known == 0) startAnew();
-  thorough_ = observations_.size() < kFewPoses || 4 * observations_.size() > 5 * known;
+  thorough_ = observations_.size() < kFew || 4 * observations_.size() >= 5 * known;
   reference_moved_ = false;
   chooseReference(track);
   poses_ = observations_.runs(reference_, MotionComparison::kRunPoses);

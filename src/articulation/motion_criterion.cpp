@@ -148,13 +148,13 @@ bool lacksAnEdge(const Track& track) {
   return false;
 }
 
-/// Two observations of which one is much smaller rather are of two things.
+/// Two observations of very different sizes rather are of two things.
 bool isOfTwoThings(const Track& track) {
-  constexpr double kAlike = 0.36;
+  constexpr double kAlike = 0.7;
   if (track.observations.size() != 2) return false;
-  const Rectangle &a = track.observations[0].measured, &b = track.observations[1].measured;
-  const double first = a.width * a.height, second = b.width * b.height;
-  return std::min(first, second) < kAlike * std::max(first, second);
+  const auto differs = [](double a, double b) { return std::min(a, b) < kAlike * std::max(a, b); };
+  const Rectangle &first = track.observations[0].measured, &second = track.observations[1].measured;
+  return differs(first.width, second.width) || differs(first.height, second.height);
 }
 
 bool pauses(const PoseTrack& poses) {

@@ -53,7 +53,8 @@ TEST(EarlyDecision, TwoPosesThatDoNotSayHowCertainTheyAreTellNothing) {
 
 TEST(EarlyDecision, MotionWithinWhatIsUncertainIsNone) {
   Track track = reported(drawer(), 2, 0.04, 0.08);
-  for (TrackedObservation& observation : track.observations) observation.covariance *= 100;
+  // 4 cm between poses of 14 mm each: two standard deviations.
+  for (TrackedObservation& observation : track.observations) observation.covariance *= 200;
   EXPECT_FALSE(learn(track).moved) << "1 cm and more of noise in either pose";
   for (int poses = 2; poses <= 5; ++poses) EXPECT_FALSE(learn(reported(drawer(), poses, 0.04, 0.05)).moved) << poses;
 }

@@ -29,7 +29,7 @@ struct ArticulationConfig {
   double motion_min = 0.03;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
-  double motion_to_sigma = 3;
+  double motion_to_sigma = 2.5;
   double edge_support_min = 0.5;
   int observations_min = 2;
   double outlier_share_max = 0.3;
