@@ -42,7 +42,8 @@ bool ReferenceSearch::advance(const FrontPoses& poses, double width, double heig
     return true;
   }
   const ReferencePoint point = kPoints[options_.size()];
-  const PoseSamples samples(poses.track(point, kComparedPoses));
+  PoseSamples samples(poses.track(point, kComparedPoses));
+  samples.hinge = {};  // the wide arc that stands for a drawer has none
   const Arc start = options_.empty() ? bestCircleStart(samples, config_) : center_arc_.shifted(point.offset(width, height));
   const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config_, kRoughFit);
   if (options_.empty()) center_arc_ = fit.arc;
