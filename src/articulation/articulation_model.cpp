@@ -124,7 +124,10 @@ ModelResiduals ArticulationModel::residuals(const PoseTrack& track) const {
   constexpr double kStep = 1e-3;
   const double speed = (predict(kStep).translation() - predict(0).translation()).norm() / kStep;
   std::tie(residuals.q_min, residuals.q_max) = observedRange(residuals, 3 * config_.sigma_position, std::max(speed, 1e-6));
-  if (moves() && track.size() > 0) residuals.path = pathLength(*this, residuals.q_min, residuals.q_max);
+  if (moves() && track.size() > 0) {
+    residuals.path = pathLength(*this, residuals.q_min, residuals.q_max);
+    residuals.freedom = costOfFreedom(track, residuals);
+  }
   return residuals;
 }
 
@@ -141,11 +144,12 @@ double ArticulationModel::logLikelihood(const PoseTrack& track, const ModelResid
     costs.push_back(std::min(cost, kGrossError));
   }
   const double sum = -3 * std::log(spread) * static_cast<double>(costs.size()) - sumWithoutExceptions(costs);  // Eq. (10)
-  return moves() ? sum - costOfFreedom(track, residuals, spread, config_.sigma_position / sigma_plane) : sum;
+  return sum - residuals.freedom;
 }
 
-double ArticulationModel::costOfFreedom(const PoseTrack& track, const ModelResiduals& residuals, double spread,
-                                        double scale) const {
+double ArticulationModel::costOfFreedom(const PoseTrack& track, const ModelResiduals& residuals) const {
+  const double spread = std::sqrt(2 * M_PI) * config_.sigma_position;  // of the noise along the path
+  const double scale = config_.sigma_position / (kEdgeCaution * config_.sigma_plane);
   // Eq. (6): the integral over q of a density 1 / path takes the noise along the path out and puts 1 / path in.
   const double uniform = std::log(std::max(residuals.path, 1e-9) / spread);
   const std::vector<double> places = costsOfPlaces(residuals, spread);

@@ -91,9 +91,8 @@ struct ArticulationConfig {
     visit("outlier_share_max", self.outlier_share_max, Range{0.01, 1}, "",
           "no model explains a track with more poses than this farther than 3 sigma_position from it (measured)");
     visit("deviation_max", self.deviation_max, Range{0.1, 100}, "",
-          "nor one whose poses are more than this many sigma_position from it in the mean (measured: joints up to 1.4, other "
-          "motions "
-          "from 2.7)");
+          "nor one whose poses are more than this many sigma_position from it in the mean "
+          "(measured: joints up to 1.4, other motions from 2.7)");
     visit("covariance_factor", self.covariance_factor, Range{0.1, 100}, "",
           "on covariances, beyond the correction for correlated noise (measured, so that 95 % intervals hold 90 to 98 %)");
     visit("use_orientation", self.use_orientation, "false: positions only");

@@ -31,6 +31,7 @@ struct ModelResiduals {
   std::vector<double> displaced, turned;
   double q_min = 0, q_max = 0;  ///< over the poses near the model
   double path = 0;              ///< [m] length of the path between them
+  double freedom = 0;           ///< [nats] what models that move pay for q in the likelihood, Eq. (6)
 };
 
 /// How far ArticulationModel::advanceSequence() got.
@@ -107,7 +108,7 @@ class ArticulationModel {
   ArticulationConfig config_;
 
  private:
-  double costOfFreedom(const PoseTrack& track, const ModelResiduals& residuals, double spread, double scale) const;
+  double costOfFreedom(const PoseTrack& track, const ModelResiduals& residuals) const;
 };
 
 /// ArticulationModel.covariance of a pose whose coordinates have these variances [m^2, rad^2], for a point of the front that
