@@ -166,6 +166,7 @@ SequenceProgress ArcModel::advanceSequence(const PoseTrack& track, int steps, st
   // The last fit may have been to other poses: it is looked at anew, if only without a step.
   const bool tries_other = sequence_->settled && !others_.empty() && steps > 0;
   sequence_ = continueArcSequence(samples, shape_, fit_, *sequence_, tries_other ? 0 : steps, config_);
+  if (steps == 0) startFromFitIfBetter(samples);
   if (tries_other) tryOtherStart(samples, steps);
   const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
   if (shape_ == PathShape::kLine || !close)
@@ -176,6 +177,13 @@ SequenceProgress ArcModel::advanceSequence(const PoseTrack& track, int steps, st
     for (const Arc& start : typicalCircles(samples, arc_)) others_.push_back(sequenceStart(samples, fit_, start, config_));
   }
   return {sequence_->log_likelihood, sequence_->settled && others_.empty()};
+}
+
+/// An earlier sequence fit may be caught in an optimum that other poses meanwhile made a bad one.
+void ArcModel::startFromFitIfBetter(const PoseSamples& samples) {
+  const SequenceFit start = sequenceStart(samples, fit_, arc_, config_);
+  const SequenceFit fresh = continueArcSequence(samples, shape_, fit_, start, 0, config_);
+  if (fresh.log_likelihood > sequence_->log_likelihood) sequence_ = fresh;
 }
 
 void ArcModel::tryOtherStart(const PoseSamples& samples, int steps) {

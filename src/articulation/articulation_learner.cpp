@@ -1,22 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/articulation_learner.h"
 
+#include <algorithm>
 #include <map>
 
 #include "cabinet_articulation/articulation/front_learner.h"
 
 namespace cabinet_articulation::core {
+namespace {
+
+constexpr std::size_t kMostAbsent = 1000;  ///< joints out of view that stay known, some 2 kB each (ours: a large building)
+
+}  // namespace
 
 struct ArticulationLearner::State {
   struct Entry {
     explicit Entry(const ArticulationConfig& config) : learner(config) {}
+    void update(const Track& track);
+
     FrontLearner learner;
     std::size_t observations = 0;
     double stamp = 0, width = 0, height = 0;
     bool learned = false;
   };
-  std::map<std::uint32_t, Entry> entries;
+  using Entries = std::map<std::uint32_t, Entry>;
+
+  Entries::iterator enter(std::uint32_t id, const ArticulationConfig& config, Entries* entries);
+  void keep(const LearnedModel& model);
+
+  Entries entries;
+  std::map<std::uint32_t, LearnedModel> absent;  ///< joints whose tracks are not given at present
 };
+
+void ArticulationLearner::State::Entry::update(const Track& track) {
+  if (track.observations.empty()) return;
+  const double newest = track.observations.back().stamp;
+  if (observations == track.observations.size() && stamp == newest && width == track.width && height == track.height) return;
+  learned = learner.update(track) || learned;
+  observations = track.observations.size();
+  stamp = newest;
+  width = track.width;
+  height = track.height;
+}
+
+/// Moves what is known of the front to `entries`.
+ArticulationLearner::State::Entries::iterator ArticulationLearner::State::enter(std::uint32_t id, const ArticulationConfig& config,
+                                                                                Entries* live) {
+  auto node = entries.extract(id);
+  if (!node.empty()) return live->insert(std::move(node)).position;
+  const auto entry = live->emplace(id, config).first;
+  const auto known = absent.find(id);
+  if (known == absent.end()) return entry;
+  entry->second.learner.remember(known->second);
+  absent.erase(known);
+  return entry;
+}
+
+/// Also that a joint was given up: the observations that it came from are not to be believed again.
+void ArticulationLearner::State::keep(const LearnedModel& model) {
+  absent[model.id] = model;
+  if (absent.size() <= kMostAbsent) return;
+  const auto earlier = [](const auto& a, const auto& b) { return a.second.stamp < b.second.stamp; };
+  absent.erase(std::min_element(absent.begin(), absent.end(), earlier));
+}
 
 ArticulationLearner::ArticulationLearner(const ArticulationConfig& config) : config_(config), state_(std::make_unique<State>()) {
   checkConfig(config);
@@ -24,25 +70,25 @@ ArticulationLearner::ArticulationLearner(const ArticulationConfig& config) : con
 
 ArticulationLearner::~ArticulationLearner() = default;
 
-void ArticulationLearner::reset() { state_->entries.clear(); }
+void ArticulationLearner::remember(const std::vector<LearnedModel>& joints) {
+  for (const LearnedModel& joint : joints) {
+    state_->entries.erase(joint.id);
+    state_->keep(joint);
+  }
+}
+
+void ArticulationLearner::forget(std::uint32_t id) {
+  state_->entries.erase(id);
+  state_->absent.erase(id);
+}
+
+void ArticulationLearner::reset() { *state_ = State(); }
 
 std::vector<LearnedModel> ArticulationLearner::process(const std::vector<Track>& tracks) {
-  std::map<std::uint32_t, State::Entry> live;
-  for (const Track& track : tracks) {
-    auto node = state_->entries.extract(track.id);
-    auto it = node.empty() ? live.emplace(track.id, config_).first : live.insert(std::move(node)).position;
-    State::Entry& entry = it->second;
-    if (track.observations.empty()) continue;
-    const double stamp = track.observations.back().stamp;
-    const bool same = entry.observations == track.observations.size() && entry.stamp == stamp && entry.width == track.width &&
-                      entry.height == track.height;
-    if (same) continue;
-    entry.learned = entry.learner.update(track) || entry.learned;
-    entry.observations = track.observations.size();
-    entry.stamp = stamp;
-    entry.width = track.width;
-    entry.height = track.height;
-  }
+  State::Entries live;
+  for (const Track& track : tracks) state_->enter(track.id, config_, &live)->second.update(track);
+  for (const auto& [id, gone] : state_->entries)
+    if (gone.learned && (gone.learner.knowsJoint() || gone.learner.best().doubt > 0)) state_->keep(gone.learner.best());
   state_->entries = std::move(live);
   std::vector<LearnedModel> models;
   for (const auto& [id, entry] : state_->entries)

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/articulation/model_registry.h"
 #include "cabinet_articulation/articulation/motion_criterion.h"
+#include "known_joint.h"
 #include "model_description.h"
 
 namespace cabinet_articulation::core {
@@ -47,8 +48,15 @@ bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isom
 
 }  // namespace
 
-FrontLearner::FrontLearner(const ArticulationConfig& config) : config_(config), observations_(config), comparison_(config) {
+FrontLearner::FrontLearner(const ArticulationConfig& config)
+    : config_(config), observations_(config), comparison_(config), evidence_(config) {
   startAnew();
+}
+
+void FrontLearner::remember(const LearnedModel& joint) {
+  evidence_.remember(joint);
+  if (!evidence_.isEstablished()) return observations_.dropBefore(joint.stamp);
+  joint_ = joint;
 }
 
 void FrontLearner::startAnew() {
@@ -57,7 +65,7 @@ void FrontLearner::startAnew() {
     if (config_.*entry.enabled) models_.push_back(entry.create(config_));
   reference_search_.reset();
   reference_chosen_at_ = 0;
-  comparison_.reset();
+  comparison_ = MotionComparison(config_);
   reference_ = {};
 }
 
@@ -93,16 +101,14 @@ void FrontLearner::fitModels(const PoseTrack& track, bool parametric) {
   }
 }
 
-void FrontLearner::compareMotions(const MotionCriterion& criterion) {
-  const bool moves = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-    return candidate.model->moves() && (criterion.passes(*candidate.model, candidate.residuals, spaced_) ||
-                                        criterion.isEvidentEarly(*candidate.model, candidate.residuals, spaced_));
+void FrontLearner::compareMotions(const MotionCriterion* criterion) {
+  const bool moves = !criterion || std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+    return candidate.model->moves() && (criterion->passes(*candidate.model, candidate.residuals, spaced_) ||
+                                        criterion->isEvidentEarly(*candidate.model, candidate.residuals, spaced_));
   });
   // How a front moves that stands still is not worth the time.
-  if (moves)
-    comparison_.update(observations_, reference_, thorough_, &candidates_);
-  else
-    comparison_.reset();
+  if (!moves) return comparison_.reset();
+  comparison_.update(observations_, reference_, thorough_ || isNewlyDoubted(), &candidates_);
 }
 
 bool FrontLearner::update(const Track& track) {
@@ -110,29 +116,96 @@ bool FrontLearner::update(const Track& track) {
   if (!observations_.update(track)) return false;
   if (known == 0) startAnew();
   thorough_ = observations_.size() < kFew || 4 * observations_.size() >= 5 * known;
+  front_.id = track.id;
+  front_.width = track.width;
+  front_.height = track.height;
+  learn(track);
+  if (candidates_.empty()) return false;
+  if (!weighEvidence() && !findOtherJoint(track)) {
+    observations_.dropBefore(evidence_.contradictedSince());
+    learnAnew(track);
+    if (candidates_.empty()) return false;
+  }
+  const bool is_joint = foundJoint();
+  learned_ = !is_joint && evidence_.isEstablished() ? describeKnownJoint() : describe(candidates_[selection_.best]);
+  if (is_joint) joint_ = learned_;
+  describeEvidence(&learned_);
+  return true;
+}
+
+bool FrontLearner::foundJoint() const {
+  return selection_.moved && selection_.explained && candidates_[selection_.best].model->moves();
+}
+
+void FrontLearner::learnAnew(const Track& track) {
+  startAnew();
+  thorough_ = true;
+  learn(track);
+}
+
+/// True once for each time that poses contradict the joint and are no single false detections: the comparison that it came
+/// from may be out of date.
+bool FrontLearner::isNewlyDoubted() {
+  constexpr double kSerious = 0.3;
+  if (evidence_.doubt() == 0) doubted_ = false;
+  if (doubted_ || evidence_.doubt() < kSerious || evidence_.doubt() >= 1) return false;
+  return doubted_ = true;
+}
+
+/// Instead of the joint that was given up: one that explains what contradicted, and what came before.
+bool FrontLearner::findOtherJoint(const Track& track) {
+  learnAnew(track);
+  if (candidates_.empty() || !foundJoint()) return false;
+  const ArticulationModel& other = *candidates_[selection_.best].model;
+  const double before = std::nextafter(evidence_.contradictedSince(), 0.0);
+  if (!JointEvidence::isOnPath(other, observations_.since(reference_, before))) return false;
+  evidence_.consider(other, allPoses(), selection_.log_odds);
+  return evidence_.isEstablished();
+}
+
+PoseTrack FrontLearner::allPoses() const { return posesSince(-std::numeric_limits<double>::infinity()); }
+
+PoseTrack FrontLearner::posesSince(double stamp) const {
+  PoseTrack poses = observations_.since(reference_, stamp);
+  poses.outline = poses_.outline;
+  return poses;
+}
+
+void FrontLearner::learn(const Track& track) {
   reference_moved_ = false;
   chooseReference(track);
   poses_ = observations_.runs(reference_, MotionComparison::kRunPoses);
   poses_.outline = observations_.outline(reference_, track.width, track.height);
-  front_.id = track.id;
-  front_.width = track.width;
-  front_.height = track.height;
   spaced_ = observations_.track(reference_, static_cast<std::size_t>(config_.poses_max));
   spaced_.outline = poses_.outline;
   candidates_.clear();
   fitModels(spaced_, true);
-  if (candidates_.empty()) return false;
+  if (candidates_.empty()) return;
   const MotionCriterion criterion(track, poses_, config_);
-  compareMotions(criterion);
+  const MotionCriterion* asked = evidence_.isEstablished() ? nullptr : &criterion;
+  compareMotions(asked);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
   for (Candidate& candidate : candidates_)
     candidate.plausible = !is_rectangle || !isNoHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   const Candidate* moving = bestMoving(candidates_);
   if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
-  selection_ = selectModel(&candidates_, spaced_, criterion, config_);
-  learned_ = describe(candidates_[selection_.best]);
-  return true;
+  selection_ = selectModel(&candidates_, spaced_, asked, config_);
+}
+
+/// What the newest observations say of the joint that is known, or was just found. False if it is given up.
+bool FrontLearner::weighEvidence() {
+  const ArticulationModel& best = *candidates_[selection_.best].model;
+  const bool is_joint = foundJoint();
+  const bool established = evidence_.isEstablished();
+  const bool is_new = is_joint && (!established || joint_->type != best.type());
+  if (!established && !is_joint) return true;
+  if (is_new) {
+    evidence_.consider(best, allPoses(), selection_.log_odds);
+    return true;
+  }
+  const KnownJoint known(*joint_, reference_.offset(front_.width, front_.height), config_);
+  return evidence_.weigh(known, is_joint ? &best : nullptr, posesSince(evidence_.weighedUntil()));
 }
 
 std::vector<LearnedModel> FrontLearner::candidates() const {
@@ -162,6 +235,29 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
     learned.covariance = candidate.model->covariance(spaced_, learned.origin.translation(), candidate.memory);
   describeFit(candidate, spaced_, config_, &learned);
   return learned;
+}
+
+/// The joint as it was found last, with the front where it is now.
+LearnedModel FrontLearner::describeKnownJoint() const {
+  LearnedModel learned = *joint_;
+  learned.id = front_.id;
+  learned.stamp = poses_.stamps.back();
+  learned.q = KnownJoint(*joint_, reference_.offset(front_.width, front_.height), config_).configuration(poses_.poses.back());
+  learned.observations = static_cast<int>(observations_.size());
+  return learned;
+}
+
+void FrontLearner::describeEvidence(LearnedModel* learned) const {
+  learned->support = evidence_.support();
+  learned->doubt = evidence_.doubt();
+  for (const auto& [name, value] : {std::make_pair("support", learned->support), std::make_pair("doubt", learned->doubt)}) {
+    const auto is_named = [name = name](const ModelParam& param) { return param.name == name; };
+    const auto there = std::find_if(learned->params.begin(), learned->params.end(), is_named);
+    if (there == learned->params.end())
+      learned->params.push_back({name, value, ModelParam::kEval});
+    else
+      there->value = value;
+  }
 }
 
 }  // namespace cabinet_articulation::core

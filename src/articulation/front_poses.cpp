@@ -27,7 +27,8 @@ Eigen::Matrix3d weightOf(const Eigen::Matrix3d& covariance, double sigma) {
 
 void FrontPoses::append(const TrackedObservation& observation, std::vector<Entry>* entries) const {
   const Rectangle& rectangle = observation.rectangle;
-  if (!std::isfinite(observation.stamp) || !std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
+  if (!std::isfinite(observation.stamp) || observation.stamp < not_before_) return;
+  if (!std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
   if (!rectangle.pose.matrix().allFinite() || !isRotation(rectangle.pose.linear())) return;
   const auto& support = observation.edge_support;
   Entry entry{observation.stamp,
@@ -47,22 +48,46 @@ void FrontPoses::append(const TrackedObservation& observation, std::vector<Entry
   entries->push_back(entry);
 }
 
-bool FrontPoses::isContinuedBy(const Track& track) const {
-  return observations_ > 0 && track.revision == revision_ && track.observations.size() >= observations_ &&
-         track.observations.front().stamp == first_stamp_ && track.observations[observations_ - 1].stamp == last_stamp_;
+/// Index of the first observation that is new. Nothing if this is another track than that of the last update.
+std::optional<std::size_t> FrontPoses::firstNew(const Track& track) const {
+  const std::vector<TrackedObservation>& all = track.observations;
+  if (observations_ == 0 || all.empty() || track.revision != revision_ || all.front().stamp != first_stamp_) return std::nullopt;
+  if (all.size() >= observations_ && all[observations_ - 1].stamp == last_stamp_) return observations_;
+  const auto known = [this](const TrackedObservation& observation) { return observation.stamp == last_stamp_; };
+  const auto newest = std::find_if(all.rbegin(), all.rend(), known);
+  if (newest == all.rend()) return std::nullopt;
+  return static_cast<std::size_t>(newest.base() - all.begin());
+}
+
+void FrontPoses::leaveOutWhatIsNotIn(const Track& track) {
+  std::vector<double> stamps;
+  for (const TrackedObservation& observation : track.observations) stamps.push_back(observation.stamp);
+  std::sort(stamps.begin(), stamps.end());
+  const auto gone = [&stamps](const Entry& entry) { return !std::binary_search(stamps.begin(), stamps.end(), entry.stamp); };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), gone), entries_.end());
+}
+
+void FrontPoses::dropBefore(double stamp) {
+  not_before_ = stamp;
+  const auto earlier = [stamp](const Entry& entry) { return entry.stamp < stamp; };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), earlier), entries_.end());
 }
 
 bool FrontPoses::update(const Track& track) {
-  const bool continued = isContinuedBy(track);
+  const std::optional<std::size_t> continued = firstNew(track);
   std::vector<Entry> fresh;
-  for (std::size_t i = continued ? observations_ : 0; i < track.observations.size(); ++i) append(track.observations[i], &fresh);
+  for (std::size_t i = continued.value_or(0); i < track.observations.size(); ++i) append(track.observations[i], &fresh);
   if (!continued) {
     if (fresh.empty()) return false;
     entries_.clear();
+  } else if (*continued < observations_) {
+    leaveOutWhatIsNotIn(track);
   }
   entries_.insert(entries_.end(), fresh.begin(), fresh.end());
   const auto earlier = [](const Entry& a, const Entry& b) { return a.stamp < b.stamp; };
-  if (!std::is_sorted(entries_.begin(), entries_.end(), earlier)) std::stable_sort(entries_.begin(), entries_.end(), earlier);
+  const bool in_order = std::is_sorted(entries_.begin(), entries_.end(), earlier);
+  if (!in_order) std::stable_sort(entries_.begin(), entries_.end(), earlier);
+  measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);
   weighted_ =
       config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
   size_ << track.width, track.height;
@@ -95,13 +120,50 @@ PoseTrack FrontPoses::runs(ReferencePoint point, std::size_t count) const {
   const std::size_t runs = count / kRun;
   if (entries_.size() <= count || runs < 2) return track(point, count);
   std::vector<std::size_t> indices;
-  for (std::size_t run = 0; run < runs; ++run) {
-    const std::size_t start = run * (entries_.size() - kRun) / (runs - 1);
+  for (const std::size_t start : runStarts(runs, kRun))
     for (std::size_t i = 0; i < kRun; ++i) indices.push_back(start + i);
-  }
   PoseTrack track = picked(point, indices);
   for (std::size_t i = 0; i < indices.size(); ++i) track.run_starts.push_back(i % kRun == 0);
   return track;
+}
+
+/// Of runs that do not overlap, the last one at the end. Rest tells of the noise, the way of the joint: either has half a say.
+std::vector<std::size_t> FrontPoses::runStarts(std::size_t runs, std::size_t length) const {
+  const std::size_t last = entries_.size() - length;
+  const double way = entries_[last].way - entries_.front().way;
+  const auto progress = [&](std::size_t i) {
+    const double of_time = static_cast<double>(i) / static_cast<double>(last);
+    return way > 0 ? (of_time + (entries_[i].way - entries_.front().way) / way) / 2 : of_time;
+  };
+  std::vector<std::size_t> starts;
+  std::size_t i = 0;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const double target = static_cast<double>(run) / static_cast<double>(runs - 1);
+    while (i < last && progress(i) < target) ++i;
+    const std::size_t room = last - (runs - 1 - run) * length;
+    starts.push_back(std::min(i, room));
+    i = starts.back() + length;
+  }
+  return starts;
+}
+
+void FrontPoses::measureWay(std::size_t from) {
+  if (from == 0) way_anchor_ = entries_.front().center.translation();
+  for (std::size_t i = from; i < entries_.size(); ++i) {
+    const double step = (entries_[i].center.translation() - way_anchor_).norm();
+    entries_[i].way = i > 0 ? entries_[i - 1].way : 0;
+    if (step < config_.sigma_position) continue;
+    entries_[i].way += step;
+    way_anchor_ = entries_[i].center.translation();
+  }
+}
+
+PoseTrack FrontPoses::since(ReferencePoint point, double stamp) const {
+  const auto later = [](double value, const Entry& entry) { return value < entry.stamp; };
+  const auto first = std::upper_bound(entries_.begin(), entries_.end(), stamp, later);
+  std::vector<std::size_t> indices(static_cast<std::size_t>(entries_.end() - first));
+  std::iota(indices.begin(), indices.end(), static_cast<std::size_t>(first - entries_.begin()));
+  return picked(point, indices);
 }
 
 PoseTrack FrontPoses::picked(ReferencePoint point, const std::vector<std::size_t>& indices) const {

@@ -145,14 +145,15 @@ bool isSureOfJoint(const std::vector<Candidate>& candidates, const Candidate& be
 
 /// Probability that the front moved, as `best` says.
 double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles& roles, const Candidate* best,
-                           const PoseTrack& track, const MotionCriterion& criterion) {
+                           const PoseTrack& track, const MotionCriterion* criterion) {
   if (!best) return 0;
   if (!roles.still) return 1;
   const double moved = logistic(advantage(*best, *roles.still, track));
   if (!best->plausible) return std::min(moved, 0.5);
-  if (isSureOfJoint(candidates, *best) && criterion.isEvidentEarly(*best->model, best->residuals, track))
+  if (!criterion) return std::max(moved, kEvident);
+  if (isSureOfJoint(candidates, *best) && criterion->isEvidentEarly(*best->model, best->residuals, track))
     return std::max(moved, kEvident);
-  return moved >= kSure && criterion.passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
+  return moved >= kSure && criterion->passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
 }
 
 /// Index = JointType. `moved` and `beyond`: of motion, and of motion that no joint describes.
@@ -199,7 +200,7 @@ bool explains(const Candidate& candidate, const ArticulationConfig& config) {
   return candidate.outlier_share <= config.outlier_share_max && candidate.mean_deviation <= config.deviation_max;
 }
 
-Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion& criterion,
+Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion* criterion,
                       const ArticulationConfig& config) {
   const Roles roles = assignRoles(candidates, track, config);
   const bool open = roles.free && !explains(*roles.moving, config);
@@ -207,6 +208,7 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track
   const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
   const double moved = probabilityOfMotion(*candidates, roles, best, track, criterion);
   Selection selection;
+  if (best && roles.still) selection.log_odds = advantage(*best, *roles.still, track);
   selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
   selection.moved = best && moved > 0.5;
   selection.explained = !selection.moved || explains(*best, config);

@@ -17,8 +17,10 @@ constexpr double kClear = 25;
 /// Poses times steps that one update may take.
 constexpr int kWork = 360;
 
-/// Runs of poses from the first that at least one of the models explains: a sequence is tied to the path by its first
-/// residual, which must not be a false detection.
+constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
+
+/// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with: a sequence is
+/// tied to the path by its first residual, which must not be a false detection.
 PoseTrack fromExplained(const PoseTrack& track, const std::vector<Candidate>& candidates, double limit) {
   const auto explained = [&](const Eigen::Isometry3d& pose) {
     return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
@@ -27,12 +29,17 @@ PoseTrack fromExplained(const PoseTrack& track, const std::vector<Candidate>& ca
       return (pose.translation() - predicted.translation()).norm() <= limit;
     });
   };
+  const auto continues = [&](std::size_t i) {
+    if (i + 1 >= track.size() || track.startsRun(i + 1)) return true;
+    const double step = (track.poses[i + 1].translation() - track.poses[i].translation()).norm();
+    return step <= limit + kFastest * (track.stamps[i + 1] - track.stamps[i]);
+  };
   std::vector<std::size_t> indices;
   std::vector<char> run_starts;
   bool waiting = true;
   for (std::size_t i = 0; i < track.size(); ++i) {
     waiting = waiting || track.startsRun(i);
-    if (waiting && !explained(track.poses[i])) continue;
+    if (waiting && !(explained(track.poses[i]) && continues(i))) continue;
     indices.push_back(i);
     run_starts.push_back(waiting);
     waiting = false;
@@ -43,6 +50,13 @@ PoseTrack fromExplained(const PoseTrack& track, const std::vector<Candidate>& ca
   return sequence;
 }
 
+/// [m] Of what the models that move say of the way.
+double longestPath(const std::vector<Candidate>& candidates) {
+  double longest = 0;
+  for (const Candidate& candidate : candidates) longest = std::max(longest, candidate.residuals.path);
+  return longest;
+}
+
 }  // namespace
 
 void MotionComparison::update(const FrontPoses& poses, ReferencePoint reference, bool thorough,
@@ -50,15 +64,19 @@ void MotionComparison::update(const FrontPoses& poses, ReferencePoint reference,
   const bool goes_on = compared_at_ > 0 && !thorough && entries_.size() == candidates->size();
   const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
   const double limit = 3 * config_.sigma_position;
+  const double path = longestPath(*candidates);
+  // Without an earlier verdict a first glance would be taken for one.
+  thorough = thorough || verdict_.size() != candidates->size();
   const auto begin = [&](std::size_t count) {
     track_ = fromExplained(poses.runs(reference, count), *candidates, limit);
     compared_at_ = poses.size();
+    compared_path_ = path;
     entries_.assign(candidates->size(), {});
     thorough ? compare(*candidates) : advance(*candidates);
   };
   if (!goes_on) close_ = false;
-  // What was clear stays clear until a good deal more is known.
-  const bool known = isClear() && 10 * poses.size() < 11 * compared_at_;
+  // What was clear stays clear until a good deal more was seen, or a bit more of the way.
+  const bool known = isClear() && 10 * poses.size() < 11 * compared_at_ && path < 1.1 * compared_path_;
   if (goes_on && !isSettled())
     advance(*candidates);
   else if (!goes_on || !known)
@@ -67,7 +85,9 @@ void MotionComparison::update(const FrontPoses& poses, ReferencePoint reference,
     close_ = true;
     if (thorough) begin(more);
   }
-  for (std::size_t i = 0; i < candidates->size(); ++i) (*candidates)[i].evidence = entries_[i].evidence;
+  // Until the next comparison has come to an end, the last one tells more.
+  if (thorough || isSettled()) verdict_ = entries_;
+  for (std::size_t i = 0; i < candidates->size(); ++i) (*candidates)[i].evidence = verdict_[i].evidence;
 }
 
 void MotionComparison::compare(const std::vector<Candidate>& candidates) {

@@ -111,27 +111,29 @@ double edgeSupport(const ModelResiduals& residuals, const PoseTrack& poses) {
   return best;
 }
 
-/// How places along the way vary from one pose to the next, as a share of how they vary at all (von Neumann's ratio): 1 for
-/// noise, 6 / (n^2 - 1) for a way that was gone along steadily. Of a few that are far apart nothing can be said.
+/// How much places along the way go back and forth from one pose to the next, as a share of how they vary at all: 1 for white
+/// noise, 0.4 where noise has a correlation of a half, 0 for a way that was gone along however unevenly. Of poses that are far
+/// apart nothing can be said: there and back may be two motions.
 double restlessness(const ModelResiduals& residuals, const PoseTrack& poses) {
-  constexpr std::size_t kMany = 50;
-  double steps = 0, mean = 0, square = 0;
-  int count = 0, n = 0;
-  std::size_t last = 0;
+  constexpr double kOfWhiteNoise = 1.218;  // mean of max(0, -a b) for successive steps a, b of white noise of unit variance
+  double back = 0, mean = 0, square = 0;
+  int triples = 0, n = 0;
+  std::size_t last = 0, before = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double q = residuals.q[i];
     if (residuals.displaced[i] > 3 || q < residuals.q_min || q > residuals.q_max) continue;
-    if (n > 0 && (poses.size() >= kMany || poses.stamps[i] - poses.stamps[last] <= kQuick)) {
-      steps += (q - residuals.q[last]) * (q - residuals.q[last]);
-      ++count;
+    if (n > 1 && poses.stamps[i] - poses.stamps[before] <= 2 * kQuick) {
+      back += std::max(0.0, -(q - residuals.q[last]) * (residuals.q[last] - residuals.q[before]));
+      ++triples;
     }
+    before = last;
     last = i;
     ++n;
     const double off = q - mean;
     mean += off / n;
     square += off * (q - mean);
   }
-  return count > 0 && square > 0 ? steps / count / (2 * square / n) : 0;
+  return triples > 0 && square > 0 ? back / triples / (kOfWhiteNoise * square / n) : 0;
 }
 
 bool isSmall(const Track& track) { return std::max(track.width, track.height) < kClutterSize && track.width > 0; }

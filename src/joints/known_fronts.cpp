@@ -11,7 +11,7 @@ namespace {
 /// An arm that passes may look like a joint, in 4 frames or so; no front opens that fast (ours).
 constexpr int kObservations = 10;
 
-bool isWorthKeeping(const LearnedModel& model) { return isJoint(model) && model.observations >= kObservations; }
+bool isWorthKeeping(const LearnedModel& model) { return isJoint(model) && model.support > 0 && model.observations >= kObservations; }
 
 }  // namespace
 

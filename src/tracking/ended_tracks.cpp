@@ -22,7 +22,7 @@ double extent(const Track& track) {
 }  // namespace
 
 void EndedTracks::keep(Track track, TrackMemory memory) {
-  while (thinOut(track.observations, kKept)) ++track.revision;
+  while (thinOut(track.observations, kKept)) continue;
   ended_.insert(std::move(track), std::move(memory));
   if (ended_.tracks.size() <= static_cast<size_t>(config_.max_ended_tracks)) return;
   const auto least = std::min_element(ended_.tracks.begin(), ended_.tracks.end(),

@@ -176,8 +176,8 @@ void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, 
   track.observations.push_back(
       {stamp, placed.rectangle, placed.covariance, measured.edge_support, measured.rectangle, measured.covariance});
   if (resized) placeAnew(track, known, found.reference, config_);
-  const bool thinned = thinOut(track.observations, config_.max_observations);
-  if (resized || thinned) ++track.revision;
+  if (resized) ++track.revision;
+  thinOut(track.observations, config_.max_observations);
 }
 
 bool RectangleTracker::isSeenAlready(double stamp, const Rectangle& rectangle) const {

@@ -38,6 +38,7 @@ class ArcModel : public ArticulationModel {
   Arc startOf(const PoseSamples& samples) const;
   void take(const PoseSamples& samples, const ArcFit& fit);
   void refitBesidesFresh(const PoseSamples& samples, int steps, int all);
+  void startFromFitIfBetter(const PoseSamples& samples);
   void tryOtherStart(const PoseSamples& samples, int steps);
   double arcLength(const Eigen::Isometry3d& pose) const;
   void orient(const PoseSamples& samples);

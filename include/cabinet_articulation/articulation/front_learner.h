@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/articulation/joint_evidence.h"
 #include "cabinet_articulation/articulation/model_selection.h"
 #include "cabinet_articulation/articulation/motion_comparison.h"
 #include "cabinet_articulation/articulation/motion_criterion.h"
@@ -14,14 +15,21 @@
 namespace cabinet_articulation::core {
 
 /// Learns one track. Keeps its models, so that an update after a few more observations starts from the last fits. It takes a
-/// bounded time: what needs more, as the search for other optima, is spread over the updates that follow. A track whose history
-/// was placed anew is learned as if it had never been seen.
+/// bounded time: what needs more, as the search for other optima, is spread over the updates that follow. Models of a track whose
+/// history was placed anew are fitted as if it had never been seen. A joint that was found once stays until observations
+/// contradict it (JointEvidence); then the front is learned anew from those.
 class FrontLearner {
  public:
   explicit FrontLearner(const ArticulationConfig& config);
 
   /// Fits all candidates to the track as it is now. False if it has no usable observation; everything stays as it was.
   bool update(const Track& track);
+
+  /// A joint of this front that was learned in an earlier run.
+  void remember(const LearnedModel& joint);
+
+  /// Whether a joint is known that has not been given up.
+  bool knowsJoint() const { return evidence_.isEstablished(); }
 
   /// The selected model; valid after an update that succeeded.
   const LearnedModel& best() const { return learned_; }
@@ -30,11 +38,21 @@ class FrontLearner {
   std::vector<LearnedModel> candidates() const;
 
  private:
+  void learn(const Track& track);
+  void learnAnew(const Track& track);
+  bool foundJoint() const;
+  bool isNewlyDoubted();
+  bool findOtherJoint(const Track& track);
+  bool weighEvidence();
+  PoseTrack allPoses() const;
+  PoseTrack posesSince(double stamp) const;
   LearnedModel describe(const Candidate& candidate) const;
+  LearnedModel describeKnownJoint() const;
+  void describeEvidence(LearnedModel* learned) const;
   void startAnew();
   void chooseReference(const Track& track);
   void fitModels(const PoseTrack& track, bool parametric);
-  void compareMotions(const MotionCriterion& criterion);
+  void compareMotions(const MotionCriterion* criterion);
 
   ArticulationConfig config_;
   FrontPoses observations_;
@@ -50,6 +68,9 @@ class FrontLearner {
   bool thorough_ = true;  ///< this update does everything at once
   std::vector<Candidate> candidates_;
   Selection selection_;
+  JointEvidence evidence_;
+  bool doubted_ = false;               ///< the joint was compared again since poses began to contradict it
+  std::optional<LearnedModel> joint_;  ///< as it was found last
   LearnedModel learned_;
 };
 

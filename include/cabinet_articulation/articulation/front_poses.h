@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_config.h"
@@ -28,8 +30,11 @@ class FrontPoses {
   /// Takes over what the track has now. False, and nothing changes, if it has no usable observation.
   bool update(const Track& track);
 
-  /// Whether the track is the one of the last update, with nothing but new observations after those.
-  bool isContinuedBy(const Track& track) const;
+  /// Whether the track is the one of the last update, with new observations after those, of which some may be left out.
+  bool isContinuedBy(const Track& track) const { return firstNew(track).has_value(); }
+
+  /// From now on observations before `stamp` are left out.
+  void dropBefore(double stamp);
 
   std::size_t size() const { return entries_.size(); }
 
@@ -41,8 +46,12 @@ class FrontPoses {
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseTrack track(ReferencePoint point, std::size_t count) const;
 
-  /// The same in runs of poses that follow one another at once, evenly spread, the newest pose among them.
+  /// The same in runs of poses that follow one another at once, spread evenly over the time and the way that the front went, the
+  /// newest pose among them.
   PoseTrack runs(ReferencePoint point, std::size_t count) const;
+
+  /// The poses after `stamp`.
+  PoseTrack since(ReferencePoint point, double stamp) const;
 
   /// The point itself and, where there are orientations, the front's corners as seen from it: of a rectangle of this size,
   /// or of a marker whose turns count as much as a sigma of its place.
@@ -56,19 +65,26 @@ class FrontPoses {
     float edge_support;
     bool weighted;
     Eigen::Matrix3d position_weight, orientation_weight;
+    double way = 0;  ///< [m] that the centre went from the first pose to here, in steps of sigma_position or more
   };
 
+  std::optional<std::size_t> firstNew(const Track& track) const;
+  void leaveOutWhatIsNotIn(const Track& track);
+  void measureWay(std::size_t from);
+  std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
   PoseTrack picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries) const;
 
   ArticulationConfig config_;
   std::vector<Entry> entries_;
+  Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero();
   bool weighted_ = false;
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();  ///< [m] width and height, estimated over the track
   // What of the track was taken over.
   std::uint32_t revision_ = 0;
   std::size_t observations_ = 0;
   double first_stamp_ = 0, last_stamp_ = 0;
+  double not_before_ = -std::numeric_limits<double>::infinity();  ///< [s]
 };
 
 }  // namespace cabinet_articulation::core

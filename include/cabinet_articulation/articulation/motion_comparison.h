@@ -19,7 +19,7 @@ class MotionComparison {
 
   explicit MotionComparison(const ArticulationConfig& config) : config_(config) {}
 
-  /// The next begins anew.
+  /// The next begins anew; until it is done, what was found before stays.
   void reset() { compared_at_ = 0; }
 
   /// Sets the evidence of candidates that move. `thorough`: all at once.
@@ -43,7 +43,9 @@ class MotionComparison {
   std::size_t compared_at_ = 0;  ///< poses of the track when the comparison began; 0: none did
   bool close_ = false;           ///< the few poses that are compared first did not tell
   PoseTrack track_;              ///< what is compared
+  double compared_path_ = 0;     ///< [m] longest of the models' paths then
   std::vector<Entry> entries_;   ///< of the candidates
+  std::vector<Entry> verdict_;   ///< the same when a comparison came to its end last
   std::size_t turn_ = 0;         ///< whose is the next step
 };
 

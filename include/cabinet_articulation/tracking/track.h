@@ -24,8 +24,8 @@ struct Track {
   std::uint32_t id = 0;
   double width = 0;   ///< [m] estimated over the whole track
   double height = 0;  ///< [m]
-  /// Counts how often earlier observations changed (a better size placed them anew, or they were thinned out). While it
-  /// stays the same, observations were only appended.
+  /// Counts how often a better size placed earlier observations anew. While it stays the same, observations were appended
+  /// or, never the first and the newest, thinned out.
   std::uint32_t revision = 0;
   std::vector<TrackedObservation> observations;
 };

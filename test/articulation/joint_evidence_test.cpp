@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What keeps a joint that is established, and what makes it given up.
+#include "cabinet_articulation/articulation/joint_evidence.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "articulation/synthetic_tracks.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kFrame = 1.0 / 15;
+
+/// A front that is watched frame by frame.
+class Watched {
+ public:
+  explicit Watched(const SyntheticFront& front) : front_(front) {
+    track_.id = 7;
+    track_.width = front.width;
+    track_.height = front.height;
+  }
+
+  /// Shows it where `pose` says, with a millimetre of noise.
+  LearnedModel see(const Eigen::Isometry3d& pose, double after = kFrame) {
+    TrackedObservation observation;
+    observation.stamp = stamp_ += after;
+    observation.rectangle = {pose, front_.width, front_.height};
+    observation.rectangle.pose.pretranslate(1e-3 * Eigen::Vector3d(normal_(random_), normal_(random_), normal_(random_)));
+    observation.covariance.diagonal() << 1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4;
+    track_.observations.push_back(observation);
+    return model_ = learner.process({track_}).at(0);
+  }
+
+  LearnedModel rest(double q, int frames) {
+    for (int i = 0; i < frames; ++i) see(truePose(front_, q));
+    return model_;
+  }
+
+  LearnedModel move(double from, double to, int frames) {
+    for (int i = 1; i <= frames; ++i) see(truePose(front_, from + (to - from) * i / frames));
+    return model_;
+  }
+
+  const LearnedModel& model() const { return model_; }
+  Track& track() { return track_; }
+
+  ArticulationLearner learner{{}};
+
+ private:
+  SyntheticFront front_;
+  Track track_;
+  LearnedModel model_;
+  double stamp_ = 10;
+  std::mt19937 random_{1};
+  std::normal_distribution<double> normal_;
+};
+
+bool isA(JointType type, const LearnedModel& model) { return model.moved && model.explained && model.type == type; }
+
+TEST(JointEvidence, IsThereOnceAFrontOpenedAndStaysAtRest) {
+  for (const SyntheticFront& front : {door(), drawer()}) {
+    Watched watched(front);
+    watched.rest(0, 15);
+    const LearnedModel opened = watched.move(0, front.q_end, 30);
+    ASSERT_TRUE(isA(front.type, opened));
+    EXPECT_GE(opened.support, 10);
+    EXPECT_EQ(opened.doubt, 0);
+    const LearnedModel rested = watched.rest(front.q_end, 300);
+    EXPECT_TRUE(isA(front.type, rested));
+    EXPECT_LE(rested.support, opened.support + 2) << "rest supports nothing";
+    EXPECT_EQ(rested.doubt, 0);
+  }
+}
+
+TEST(JointEvidence, OfOneOpeningIsFoundAfterAnyRest) {
+  for (const SyntheticFront& front : {door(), drawer()}) {
+    Watched watched(front);
+    watched.rest(0, 900);
+    watched.move(0, front.q_end / 2, 60);
+    const LearnedModel opened = watched.move(front.q_end / 2, front.q_end, 30);
+    EXPECT_TRUE(isA(front.type, opened)) << int(front.type);
+    EXPECT_GT(opened.support, 10);
+  }
+}
+
+TEST(JointEvidence, DoesNotFallWithAFewFalseDetections) {
+  Watched watched(drawer());
+  watched.rest(0, 15);
+  watched.move(0, 0.3, 30);
+  const Eigen::Isometry3d elsewhere = Eigen::Translation3d(0.2, 0.1, 0) * truePose(drawer(), 0.3);
+  double most = 0;
+  for (int i = 0; i < 60; ++i) {
+    const LearnedModel model = watched.see(i % 10 < 3 ? elsewhere : truePose(drawer(), 0.3));
+    ASSERT_TRUE(isA(JointType::kPrismatic, model)) << i;
+    most = std::max(most, model.doubt);
+  }
+  EXPECT_GT(most, 0) << "it is doubted meanwhile";
+  EXPECT_EQ(watched.model().doubt, 0) << "and believed again";
+}
+
+TEST(JointEvidence, IsOutweighedByAsManyContraryPoses) {
+  // A chair that was pushed once, stood for a minute, and is pushed another way.
+  SyntheticFront chair = drawer();
+  chair.height = 0.4;
+  Watched watched(chair);
+  watched.rest(0, 15);
+  const LearnedModel pushed = watched.move(0, 0.3, 20);
+  ASSERT_TRUE(isA(JointType::kPrismatic, pushed));
+  watched.rest(0.3, 900);
+  ASSERT_TRUE(isA(JointType::kPrismatic, watched.model()));
+  const Eigen::Isometry3d there = truePose(chair, 0.3);
+  int contrary = 0;
+  while (isA(JointType::kPrismatic, watched.model()) && watched.model().doubt < 1 && contrary < 100) {
+    const double way = 0.05 + 0.02 * ++contrary;
+    watched.see(Eigen::Translation3d(way, 0, 0) * there * Eigen::AngleAxisd(0.8 * way, Eigen::Vector3d::UnitX()));
+  }
+  EXPECT_LE(contrary, 35) << "frames until it was established";
+}
+
+TEST(JointEvidence, OfTheFirstCentimetresOfADoorIsCorrected) {
+  SyntheticFront front = door();
+  front.width = 0.6;
+  Watched watched(front);
+  // Nothing but a line can be told of the first 5 cm, whichever type is said.
+  watched.rest(0, 60);
+  watched.move(0, 0.16, 40);
+  watched.rest(0.16, 60);
+  const LearnedModel opened = watched.move(0.16, 1.2, 60);
+  EXPECT_TRUE(isA(JointType::kRotational, opened));
+  EXPECT_LT(angleBetweenLines(opened.axis, trueAxis(front)), 0.02);
+}
+
+TEST(JointEvidence, OutlivesItsTrack) {
+  Watched watched(door());
+  watched.rest(0, 15);
+  watched.move(0, 1.2, 40);
+  ASSERT_TRUE(isA(JointType::kRotational, watched.model()));
+  const LearnedModel known = watched.model();
+  watched.learner.process({});
+  // The front comes back with two poses of its history left.
+  watched.track().observations = {watched.track().observations.front(), watched.track().observations.back()};
+  const LearnedModel back = watched.see(truePose(door(), 0.6), 100);
+  EXPECT_TRUE(isA(JointType::kRotational, back));
+  EXPECT_NEAR(back.q, 0.6, 0.05);
+  EXPECT_LT(angleBetweenLines(back.axis, known.axis), 0.02);
+  EXPECT_GE(back.support, known.support);
+}
+
+TEST(JointEvidence, IsRememberedAndForgotten) {
+  Watched earlier(door());
+  earlier.rest(0, 15);
+  const LearnedModel known = earlier.move(0, 1.2, 40);
+  for (const bool forgotten : {false, true}) {
+    Watched later(door());
+    later.learner.remember({known});
+    if (forgotten) later.learner.forget(known.id);
+    EXPECT_EQ(isA(JointType::kRotational, later.see(truePose(door(), 0.6), 1e5)), !forgotten);
+  }
+  Watched doubting(door());
+  LearnedModel given_up = known;
+  given_up.doubt = 1;
+  doubting.learner.remember({given_up});
+  const LearnedModel seen = doubting.see(truePose(door(), 0.6), 1e5);
+  EXPECT_FALSE(seen.moved);
+  EXPECT_EQ(seen.doubt, 1) << "until something else is found";
+}
+
+TEST(JointEvidence, DoesNotChangeWhenTheHistoryIsThinned) {
+  Watched watched(drawer());
+  watched.rest(0, 30);
+  watched.move(0, 0.3, 40);
+  watched.rest(0.3, 30);
+  const LearnedModel before = watched.model();
+  std::vector<TrackedObservation>& all = watched.track().observations;
+  std::vector<TrackedObservation> kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i == 0 || i + 10 > all.size() || i % 4 == 0) kept.push_back(all[i]);
+  all = kept;
+  const LearnedModel after = watched.see(truePose(drawer(), 0.3));
+  EXPECT_TRUE(isA(JointType::kPrismatic, after));
+  EXPECT_EQ(after.observations, static_cast<int>(kept.size()) + 1);
+  EXPECT_NEAR(after.support, before.support, 1);
+  EXPECT_LT(angleBetweenLines(after.axis, before.axis), 0.01);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
