@@ -24,6 +24,10 @@ ArticulationLearner::ArticulationLearner(const ArticulationConfig& config) : con
 
 ArticulationLearner::~ArticulationLearner() = default;
 
+void ArticulationLearner::remember(const std::vector<LearnedModel>&) {}
+
+void ArticulationLearner::forget(std::uint32_t id) { state_->entries.erase(id); }
+
 void ArticulationLearner::reset() { state_->entries.clear(); }
 
 std::vector<LearnedModel> ArticulationLearner::process(const std::vector<Track>& tracks) {

@@ -16,10 +16,14 @@ class ArticulationLearner {
   explicit ArticulationLearner(const ArticulationConfig& config);
   ~ArticulationLearner();
 
-  /// The models of all tracks given; models of tracks that are no longer given are forgotten. Ordered by id. A track
-  /// without any usable observation has no model; observations that are not finite are ignored.
+  /// The models of all tracks given, ordered by id. Of tracks that are no longer given, only joints stay known, for when their
+  /// id returns. A track without any usable observation has no model; observations that are not finite are ignored.
   std::vector<LearnedModel> process(const std::vector<Track>& tracks);
 
+  /// Joints of an earlier run. A track with the id of one of them is taken for it until observations contradict.
+  void remember(const std::vector<LearnedModel>& joints);
+
+  void forget(std::uint32_t id);
   void reset();
 
  private:

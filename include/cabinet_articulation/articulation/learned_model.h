@@ -28,6 +28,7 @@ struct LearnedModel {
   std::vector<double> probabilities;  ///< index = JointType
   bool moved = false;                 ///< false: not enough motion to tell yet
   bool explained = true;              ///< false: moved, but no model describes it ("none of these")
+  double doubt = 0;                   ///< contrary observations as a share of those that support the joint; 1: it is given up
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();
