@@ -80,22 +80,42 @@ void RectangleTracker::reset() {
   last_stamp_ = -std::numeric_limits<double>::infinity();
 }
 
-void RectangleTracker::remember(std::vector<Track> fronts, double stamp) {
+void RectangleTracker::remember(std::vector<Track> fronts) {
   for (Track& front : fronts) {
-    if (front.observations.empty()) continue;
-    next_id_ = std::max(next_id_, front.id + 1);
-    const double late = front.observations.back().stamp - (stamp - config_.timeout);
+    if (front.observations.empty() || front.id == 0 || front.id > kLargestId || isKnown(front.id)) continue;
+    useIdsFrom(front.id + 1);
     FrontSize size(config_);
-    for (TrackedObservation& observation : front.observations) {
-      observation.stamp -= std::max(0.0, late);
+    for (const TrackedObservation& observation : front.observations) {
       DetectedRectangle detection;
       detection.rectangle = observation.measured;
       detection.edge_support = observation.edge_support;
       size.add(detection);
     }
     const int seen = static_cast<int>(front.observations.size());
-    ended_.keep(std::move(front), {std::move(size), seen, seen, 0});
+    TrackMemory memory{std::move(size)};
+    memory.seen = memory.frames = seen;
+    ended_.keep(std::move(front), std::move(memory));
   }
+}
+
+std::vector<Track> RectangleTracker::knownTracks() const {
+  std::vector<Track> tracks = live_.tracks;
+  tracks.insert(tracks.end(), ended_.tracks().begin(), ended_.tracks().end());
+  return tracks;
+}
+
+bool RectangleTracker::forget(std::uint32_t id) {
+  const bool was_live = live_.erase(id);
+  return ended_.forget(id) || was_live;
+}
+
+void RectangleTracker::useIdsFrom(std::uint32_t id) { next_id_ = std::max(next_id_, id); }
+
+bool RectangleTracker::isKnown(std::uint32_t id) const { return live_.contains(id) || ended_.contains(id); }
+
+std::uint32_t RectangleTracker::takeId() {
+  while (next_id_ == 0 || isKnown(next_id_)) ++next_id_;
+  return next_id_++;
 }
 
 const std::vector<Track>& RectangleTracker::process(double stamp, const std::vector<DetectedRectangle>& rectangles) {
@@ -158,10 +178,11 @@ void RectangleTracker::endTracks(double stamp) {
 }
 
 void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const {
-  const Continuation found = *findContinuation(track, memory.size, rectangle, stamp, config_);
+  const Continuation found = *findContinuation(track, memory, rectangle, stamp, config_);
   const DetectedRectangle& measured = found.measured;
   memory.frames += std::min(memory.unseen, kLongestFlicker);
   memory.unseen = 0;
+  memory.last_seen = stamp;
   ++memory.seen;
   memory.size.add(measured);
   const KnownSize& known = memory.size.known();
@@ -235,13 +256,14 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
                     [&](const Track& track) { return isPartOf(track, detection.rectangle, stamp, config_); }))
       continue;
     Track track;
-    track.id = next_id_++;
+    track.id = takeId();
     track.width = detection.rectangle.width;
     track.height = detection.rectangle.height;
     track.observations.push_back(
         {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
     TrackMemory memory{FrontSize(config_)};
     memory.size.add(detection);
+    memory.last_seen = stamp;
     live_.insert(std::move(track), std::move(memory));
   }
 }

@@ -27,6 +27,20 @@ void RememberedTracks::insert(Track track, TrackMemory memory) {
   tracks.insert(place, std::move(track));
 }
 
+bool RememberedTracks::erase(std::uint32_t id) {
+  for (size_t i = 0; i < tracks.size(); ++i) {
+    if (tracks[i].id != id) continue;
+    tracks.erase(tracks.begin() + i);
+    memories.erase(memories.begin() + i);
+    return true;
+  }
+  return false;
+}
+
+bool RememberedTracks::contains(std::uint32_t id) const {
+  return std::any_of(tracks.begin(), tracks.end(), [id](const Track& track) { return track.id == id; });
+}
+
 void RememberedTracks::sort() {
   RememberedTracks sorted;
   for (size_t i = 0; i < tracks.size(); ++i) sorted.insert(std::move(tracks[i]), std::move(memories[i]));
@@ -49,7 +63,7 @@ std::vector<int> assignToTracks(const std::vector<DetectedRectangle>& rectangles
   for (size_t i = 0; i < rectangles.size(); ++i) {
     for (size_t j = 0; j < remembered.tracks.size(); ++j) {
       const Track& track = remembered.tracks[j];
-      const auto found = findContinuation(track, remembered.memories[j].size, rectangles[i], stamp, config);
+      const auto found = findContinuation(track, remembered.memories[j], rectangles[i], stamp, config);
       costs(i, j) = found ? cost(found->distance + (isConfirmed(track, config) ? 0 : kTentativeDistance)) : kForbidden;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "cabinet_articulation/tracking/front_size.h"
@@ -11,7 +12,9 @@ namespace cabinet_articulation::core {
 /// What is remembered of a track beside its observations. Thinning the history does not touch it.
 struct TrackMemory {
   static constexpr double kUnknown = 1e9;  ///< [m] standard deviation of what was never seen
+  static constexpr double kLongAgo = -std::numeric_limits<double>::infinity();
   FrontSize size;
+  double last_seen = kLongAgo;  ///< [s] in the time of the frames that come now, which may have been set back since
   int seen = 1;    ///< frames
   int frames = 1;  ///< since the first one; of a long absence only the first few
   int unseen = 0;  ///< frames since the last one
@@ -24,6 +27,8 @@ struct RememberedTracks {
   std::vector<TrackMemory> memories;  ///< parallel to tracks
 
   void insert(Track track, TrackMemory memory);
+  bool erase(std::uint32_t id);
+  bool contains(std::uint32_t id) const;
   void sort();
   void clear();
 };
