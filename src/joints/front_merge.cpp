@@ -110,7 +110,7 @@ std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<s
   std::set<std::uint32_t> ids(taken->begin(), taken->end());
   std::vector<KnownFront*> without;
   for (KnownFront& front : *fronts)
-    if (front.model.id == 0 || !ids.insert(front.model.id).second) without.push_back(&front);
+    if (front.model.id == 0 || front.model.id > kLargestId || !ids.insert(front.model.id).second) without.push_back(&front);
   std::vector<IdChange> changes;
   for (KnownFront* front : without) {
     std::uint32_t id = ids.empty() ? 1 : *ids.rbegin() + 1;
@@ -130,12 +130,12 @@ MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> 
                        [&](const LearnedModel& model) { return samePlace(model, front.model).has_value(); });
   };
   file.erase(std::remove_if(file.begin(), file.end(), is_removed), file.end());
-  const std::vector<int> partner = pairUp(known, file);
   MergedFronts merged;
-  std::vector<bool> paired(file.size(), false);
   std::vector<std::uint32_t> taken;
+  merged.known_changes = giveFreeIds(&known, &taken);
+  const std::vector<int> partner = pairUp(known, file);
+  std::vector<bool> paired(file.size(), false);
   for (std::size_t i = 0; i < known.size(); ++i) {
-    taken.push_back(known[i].model.id);
     if (partner[i] < 0) continue;
     KnownFront& other = file[static_cast<std::size_t>(partner[i])];
     paired[static_cast<std::size_t>(partner[i])] = true;

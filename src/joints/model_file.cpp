@@ -54,6 +54,8 @@ std::string SavedModels::inWords(const std::string& file) const {
   if (from_file > 0) text += ", " + std::to_string(from_file) + " of them as the file had them";
   const std::string changed = core::inWords(changes);
   if (!changed.empty()) text += "; " + changed;
+  for (const IdChange& change : known_changes)
+    text += "; front " + std::to_string(change.from) + " is front " + std::to_string(change.to) + " there";
   if (!kept.empty()) text += "; " + kept;
   return text;
 }
@@ -64,7 +66,7 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
     const FolderLock lock(file.parent_path());
     Found found = lookAt(file);
     if (found.models && models.fronts.empty() && !found.models->fronts.empty() && models.frame.empty())
-      return SavedModels{found.models->fronts.size(), found.models->fronts.size(), {}, ""};
+      return SavedModels{found.models->fronts.size(), found.models->fronts.size(), {}};
     if (found.models && !found.models->fronts.empty() && found.models->frame != models.frame) {
       found.why_not = "its poses are in the frame '" + found.models->frame + "', and the new ones in '" + models.frame + "'";
       found.models.reset();
@@ -73,6 +75,7 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
     MergedFronts merged = mergeFronts(models.fronts, found.models ? found.models->fronts : std::vector<KnownFront>(), removed);
     saved.fronts = merged.fronts.size();
     saved.from_file = merged.from_file;
+    saved.known_changes = merged.known_changes;
     if (found.models) saved.changes = found.models->changes;
     saved.changes.insert(saved.changes.end(), merged.changes.begin(), merged.changes.end());
     const std::string text = toText({models.frame, std::move(merged.fronts)});

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a save does to the file that is there.
+#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -51,6 +52,13 @@ TEST_F(ModelSaving, MergesAndLeavesNothingBehind) {
                                       "', 2 of them as the file had them; front 4 of the file is front 5 now");
   EXPECT_THAT(idsIn(path_), testing::ElementsAre(3, 4, 5));
   EXPECT_EQ(filesInFolder(), 1);
+}
+
+TEST_F(ModelSaving, GivesIdsThatAFileCanHold) {
+  KnownFront last = door();
+  test::setId(4294967295U, &last);
+  EXPECT_THAT(saveModelFile(path_, {"map", {last, drawer()}}).inWords(path_), HasSubstr("; front 4294967295 is front 5 there"));
+  EXPECT_THAT(idsIn(path_), testing::ElementsAre(4, 5));
 }
 
 TEST_F(ModelSaving, OfNothingKeepsWhatIsThere) {
@@ -137,7 +145,7 @@ TEST_F(ModelSaving, ClearsAwayWhatADeadSaverLeftAndNothingElse) {
 }
 
 TEST_F(ModelSaving, OfSeveralThreadsAndProcessesAtOnceLosesNothing) {
-  constexpr int kProcesses = 4, kThreads = 3, kSaves = 5;
+  constexpr int kProcesses = 4, kThreads = 2, kSaves = 3;
   std::vector<pid_t> children;
   for (int process = 0; process < kProcesses; ++process) {
     const pid_t child = ::fork();

@@ -23,7 +23,7 @@ struct IdChange {
 /// "front 3 of the file is front 7 now", for all of them; empty if there are none.
 std::string inWords(const std::vector<IdChange>& changes);
 
-/// A change for every id that is 0 or taken: from above the largest on, or where those are used up (kLargestId) the first that
+/// A change for every id that is 0, above kLargestId or taken: from above the largest on, or where those are used up (kLargestId) the first that
 /// is free. `taken` grows by all ids.
 std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<std::uint32_t>* taken);
 
@@ -31,7 +31,8 @@ std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<s
 struct MergedFronts {
   std::vector<KnownFront> fronts;  ///< ordered by id
   std::size_t from_file = 0;       ///< so many of them are as the file has them
-  std::vector<IdChange> changes;   ///< of fronts in the file
+  std::vector<IdChange> changes;   ///< of the file's fronts
+  std::vector<IdChange> known_changes;  ///< of those known now, whose ids a file cannot hold
 };
 
 /// Joins both by place. A front that is known now replaces the file's one of the same place; but the file's stays, with the id
