@@ -182,7 +182,8 @@ TEST_F(KnownFrontsChain, KeepIdsAndHistoriesWhateverTheClockSays) {
     if (start == 5) {
       save();
       unload("tracking");
-      restart("articulation");
+      unload("articulation");
+      load("articulation");
       load("tracking");
       waitForBoth();
     }

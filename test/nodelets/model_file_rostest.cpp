@@ -158,7 +158,8 @@ TEST_F(ModelFile, ThatIsDamagedIsRefusedWithoutALossAndKeptBesideTheNextOne) {
 TEST_F(ModelFile, ThatIsDamagedAtTheStartIsToldUntilTheNextOneIsSaved) {
   ASSERT_TRUE(play(250));
   unloadNodelet();
-  std::ofstream(path_) << text().substr(0, text().size() / 2);
+  const std::string half = text().substr(0, text().size() / 2);
+  std::ofstream(path_) << half;
   loadNodelet();
   ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
   for (core::Track& track : tracks_) track.observations.clear();
