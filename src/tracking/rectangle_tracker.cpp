@@ -10,6 +10,7 @@
 #include "cabinet_articulation/tracking/continuation.h"
 #include "cabinet_articulation/tracking/history.h"
 #include "cabinet_articulation/tracking/placement.h"
+#include "same_front.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -27,28 +28,6 @@ bool isUsable(const DetectedRectangle& detection) {
   return rectangle.pose.matrix().allFinite() && detection.covariance.allFinite() && std::isfinite(rectangle.width) &&
          std::isfinite(rectangle.height) && rectangle.width > 0 && rectangle.height > 0 &&
          (R * R.transpose()).isIdentity(kRotationTolerance) && R.determinant() > 0;
-}
-
-/// Two rectangles of one frame that show the same front: they overlap by a good part and lie in one plane.
-bool isDuplicate(const Rectangle& a, const Rectangle& b) {
-  constexpr double kOverlap = 0.3, kDistance = 0.02, kCosine = 0.995;  // -, m, 6 degrees
-  return std::abs(a.normal().dot(b.normal())) > kCosine && std::abs(a.plane().distance(b.center())) < kDistance &&
-         intersectionOverUnion(a, b) > kOverlap;
-}
-
-/// A part of a front that moved, seen alone: it lies within the front's outline and plane. Closed fronts do lie in the face of
-/// others.
-bool isPartOf(const Track& track, const Rectangle& part, double stamp, const TrackingConfig& config) {
-  constexpr double kRecent = 0.3, kMoved = 0.03, kInside = 0.7, kDistance = 0.02, kCosine = 0.99;  // s, m, -, m, 8 degrees
-  const TrackedObservation& newest = track.observations.back();
-  const Eigen::Vector3d way = newest.rectangle.center() - track.observations.front().rectangle.center();
-  if (!isConfirmed(track, config) || stamp - newest.stamp > kRecent || way.norm() < kMoved) return false;
-  const Rectangle front =
-      newest.stamp == stamp ? newest.rectangle : extrapolate(track.observations, stamp, config.prediction_horizon);
-  if (std::abs(front.normal().dot(part.normal())) < kCosine || std::abs(front.plane().distance(part.center())) > kDistance)
-    return false;
-  const double area = part.width * part.height, overlap = intersectionOverUnion(front, part);
-  return overlap / (1 + overlap) * (front.width * front.height + area) > kInside * area;
 }
 
 /// All observations with the track's new size, from the newest back: the size was known worst at the beginning. The newest
@@ -84,16 +63,7 @@ void RectangleTracker::remember(std::vector<Track> fronts) {
   for (Track& front : fronts) {
     if (front.observations.empty() || front.id == 0 || front.id > kLargestId || isKnown(front.id)) continue;
     useIdsFrom(front.id + 1);
-    FrontSize size(config_);
-    for (const TrackedObservation& observation : front.observations) {
-      DetectedRectangle detection;
-      detection.rectangle = observation.measured;
-      detection.edge_support = observation.edge_support;
-      size.add(detection);
-    }
-    const int seen = static_cast<int>(front.observations.size());
-    TrackMemory memory{std::move(size)};
-    memory.seen = memory.frames = seen;
+    TrackMemory memory = memoryOf(front, config_);
     ended_.keep(std::move(front), std::move(memory));
   }
 }

@@ -20,6 +20,18 @@ double cost(double distance) { return std::log1p(std::pow(distance / kUsualDista
 
 }  // namespace
 
+TrackMemory memoryOf(const Track& track, const TrackingConfig& config) {
+  TrackMemory memory{FrontSize(config)};
+  for (const TrackedObservation& observation : track.observations) {
+    DetectedRectangle detection;
+    detection.rectangle = observation.measured;
+    detection.edge_support = observation.edge_support;
+    memory.size.add(detection);
+  }
+  memory.seen = memory.frames = static_cast<int>(track.observations.size());
+  return memory;
+}
+
 void RememberedTracks::insert(Track track, TrackMemory memory) {
   const auto later = [](const Track& a, const Track& b) { return a.id < b.id; };
   const auto place = std::upper_bound(tracks.begin(), tracks.end(), track, later);

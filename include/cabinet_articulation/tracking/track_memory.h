@@ -21,6 +21,9 @@ struct TrackMemory {
   Eigen::Vector2d placed_sigma = Eigen::Vector2d::Constant(kUnknown);  ///< [m] of the size when the history was placed last
 };
 
+/// What the observations of a track tell of it, as if it was last seen long ago.
+TrackMemory memoryOf(const Track& track, const TrackingConfig& config);
+
 /// Tracks ordered by id, and the memory of each.
 struct RememberedTracks {
   std::vector<Track> tracks;
