@@ -20,9 +20,9 @@ constexpr double kLargestShift = 0.4;     // of a side: an equal neighbour is at
 constexpr double kAngleTolerance = 0.39;  // [rad]
 constexpr double kSizeTolerance = 0.05;   // [m]
 constexpr int kPlaces = 9;                // along what was seen of a way
-// Identity of a history's first observation, which is never thinned out.
+// Identity of a history's first observation, which is never thinned out, but placed anew when the size is known better.
 constexpr double kSameStamp = 1e-5;  // [s]
-constexpr double kSamePoint = 1e-6;  // [m]
+constexpr double kSamePoint = 0.05;  // [m]
 
 double beyondSeen(const LearnedModel& model) { return modelEntry(model.type).unit == ConfigurationUnit::kRadian ? 0.3 : 0.1; }
 

@@ -202,6 +202,26 @@ TEST_F(Services, ResetForgetsEverythingAndTellsTheTracker) {
   EXPECT_TRUE(predict(tracks_[0].id, {0}).success);
 }
 
+TEST_F(Services, RemindATrackerThatDoesNotFollowAndDoNotWaitForEver) {
+  play(900);
+  const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
+  generation_ = known.messages.back()->generation;
+  ASSERT_TRUE(call<std_srvs::Trigger>("reset", {}).success);
+  const size_t models = models_.messages.size();
+  test::Reports reports;
+  bool told = false;
+  double stamp = 910;
+  EXPECT_TRUE(spinUntil([&] {
+    send(stamp += 0.1);
+    test::spinFor(0.1);
+    told = told || reports.statusHas("articulation", "waits for the tracker to take over what is known");
+    return models_.messages.size() > models;
+  }));
+  EXPECT_TRUE(told);
+  EXPECT_GT(known.messages.size(), 2u) << "the greeting, the reset, and it again";
+}
+
 }  // namespace
 }  // namespace cabinet_articulation
 
