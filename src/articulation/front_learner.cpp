@@ -55,8 +55,8 @@ FrontLearner::FrontLearner(const ArticulationConfig& config)
 
 void FrontLearner::remember(const LearnedModel& joint) {
   evidence_.remember(joint);
-  if (!evidence_.isEstablished()) return observations_.dropBefore(joint.stamp);
-  joint_ = joint;
+  distrusts_past_ = !evidence_.isEstablished();
+  if (!distrusts_past_) joint_ = joint;
 }
 
 void FrontLearner::startAnew() {
@@ -113,6 +113,8 @@ void FrontLearner::compareMotions(const MotionCriterion* criterion) {
 
 bool FrontLearner::update(const Track& track) {
   const std::size_t known = observations_.isContinuedBy(track) ? observations_.size() : 0;
+  if (distrusts_past_ && !track.observations.empty()) observations_.dropBefore(track.observations.back().stamp);
+  distrusts_past_ = false;
   if (!observations_.update(track)) return false;
   if (known == 0) startAnew();
   thorough_ = observations_.size() < kFew || 4 * observations_.size() >= 5 * known;
@@ -205,7 +207,10 @@ bool FrontLearner::weighEvidence() {
     return true;
   }
   const KnownJoint known(*joint_, reference_.offset(front_.width, front_.height), config_);
-  return evidence_.weigh(known, is_joint ? &best : nullptr, posesSince(evidence_.weighedUntil()));
+  // Time may have been set back since; then only the newest pose is new.
+  const double before_newest = std::nextafter(poses_.stamps.back(), -std::numeric_limits<double>::infinity());
+  const PoseTrack fresh = posesSince(std::min(evidence_.weighedUntil(), before_newest));
+  return evidence_.weigh(known, is_joint ? &best : nullptr, fresh);
 }
 
 std::vector<LearnedModel> FrontLearner::candidates() const {

@@ -43,7 +43,7 @@ bool JointEvidence::weigh(const ArticulationModel& known, const ArticulationMode
   const ModelResiduals by_known = known.residuals(poses);
   const ModelResiduals by_refined = refined ? refined->residuals(poses) : ModelResiduals();
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    weighed_until_ = std::max(weighed_until_, poses.stamps[i]);
+    weighed_until_ = poses.stamps[i];
     const bool on_refined = refined && fits(by_refined, i);
     if (on_refined || fits(by_known, i)) {
       contrary_ = std::max(0.0, contrary_ - 1);

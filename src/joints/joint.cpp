@@ -14,9 +14,16 @@ std::string nameOf(const LearnedModel& model) { return "front " + std::to_string
 
 }  // namespace
 
-bool isJoint(const LearnedModel& model) { return model.moved && model.explained && model.type != JointType::kRigid; }
+bool isJoint(const LearnedModel& model) { return wasJoint(model) && !isGivenUp(model); }
+
+bool isGivenUp(const LearnedModel& model) { return model.doubt >= 1; }
+
+bool wasJoint(const LearnedModel& model) { return model.moved && model.explained && model.type != JointType::kRigid; }
 
 void requireJoint(const LearnedModel& model) {
+  if (wasJoint(model) && isGivenUp(model))
+    throw ModelError(nameOf(model) + " was taken for a " + modelName(model.type) +
+                     " joint, but as many observations speak against that as for it, so it is none until it is seen to move again");
   if (!model.moved)
     throw ModelError(nameOf(model) + " has not moved enough yet to tell how it moves (" + std::to_string(model.observations) +
                      " observations)");

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/joints/known_fronts.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
+
+#include "cabinet_articulation/tracking/history.h"
 
 namespace cabinet_articulation::core {
 
@@ -11,7 +14,11 @@ namespace {
 /// An arm that passes may look like a joint, in 4 frames or so; no front opens that fast (ours).
 constexpr int kObservations = 10;
 
-bool isWorthKeeping(const LearnedModel& model) { return isJoint(model) && model.support > 0 && model.observations >= kObservations; }
+/// What is merely likely has no support yet.
+bool isWorthKeeping(const LearnedModel& model) {
+  const bool established = model.support > 0 || model.doubt > 0;
+  return wasJoint(model) && established && model.observations >= kObservations;
+}
 
 }  // namespace
 
@@ -23,46 +30,81 @@ void KnownFronts::update(std::vector<Track> tracks, const std::vector<LearnedMod
     if (it != seen.end()) it->second.track = std::move(track);
   }
   live_.swap(seen);
-  for (auto& [id, front] : seen)
-    if (live_.count(id) == 0 && isWorthKeeping(front.model)) remembered_[id] = std::move(front);
-  for (const auto& [id, front] : live_)
-    if (isJoint(front.model)) remembered_.erase(id);
+  for (auto& [id, before] : seen) {
+    const auto now = live_.find(id);
+    const bool still_told = now != live_.end() && isWorthKeeping(now->second.model);
+    if (isWorthKeeping(before.model) && !still_told) remember(std::move(before));
+  }
+  for (const auto& [id, front] : live_) {
+    const auto known = remembered_.find(id);
+    if (known == remembered_.end()) continue;
+    if (isWorthKeeping(front.model))
+      remembered_.erase(known);
+    else if (isGivenUp(front.model))
+      known->second.model.doubt = front.model.doubt;
+  }
+}
+
+void KnownFronts::remember(KnownFront front) {
+  while (thinOut(front.track.observations, kKeptObservations)) ++front.track.revision;
+  const std::uint32_t id = front.model.id;
+  remembered_[id] = std::move(front);
+  if (remembered_.size() <= kMostRemembered) return;
+  remembered_.erase(std::min_element(remembered_.begin(), remembered_.end(), [](const auto& a, const auto& b) {
+    return a.second.model.observations < b.second.model.observations;
+  }));
 }
 
 const LearnedModel& KnownFronts::at(std::uint32_t id) const {
+  const auto known = remembered_.find(id), live = live_.find(id);
   // A front that came back may have to move again before its own model tells more than the remembered one.
-  for (const auto* fronts : {&remembered_, &live_}) {
-    const auto it = fronts->find(id);
-    if (it != fronts->end()) return it->second.model;
-  }
+  const bool live_tells_more = known == remembered_.end() || (isGivenUp(known->second.model) && live != live_.end() &&
+                                                               isJoint(live->second.model));
+  if (!live_tells_more) return known->second.model;
+  if (live != live_.end()) return live->second.model;
   std::set<std::uint32_t> ids;
   for (const auto* fronts : {&live_, &remembered_})
     for (const auto& entry : *fronts) ids.insert(entry.first);
-  std::string known;
-  for (const std::uint32_t other : ids) known += (known.empty() ? "" : ", ") + std::to_string(other);
+  std::string others;
+  for (const std::uint32_t other : ids) others += (others.empty() ? "" : ", ") + std::to_string(other);
   throw ModelError(
       "there is no front " + std::to_string(id) +
-      (known.empty()
+      (others.empty()
            ? "; none was seen yet (the pipeline only works while somebody subscribes to its models, or with lazy: false)"
-           : "; the fronts known are " + known));
+           : "; the fronts known are " + others));
+}
+
+std::map<std::uint32_t, const KnownFront*> KnownFronts::worthKeeping() const {
+  std::map<std::uint32_t, const KnownFront*> all;
+  for (const auto& [id, front] : remembered_) all[id] = &front;
+  for (const auto& [id, front] : live_)
+    if (isWorthKeeping(front.model)) all[id] = &front;
+  return all;
 }
 
 std::vector<KnownFront> KnownFronts::joints() const {
-  std::map<std::uint32_t, KnownFront> all = remembered_;
-  for (const auto& [id, front] : live_)
-    if (isWorthKeeping(front.model)) all[id] = front;
   std::vector<KnownFront> result;
-  for (auto& entry : all) result.push_back(std::move(entry.second));
+  for (const auto& entry : worthKeeping()) result.push_back(*entry.second);
+  return result;
+}
+
+std::vector<LearnedModel> KnownFronts::jointModels() const {
+  std::vector<LearnedModel> result;
+  for (const auto& entry : worthKeeping()) result.push_back(entry.second->model);
   return result;
 }
 
 void KnownFronts::replace(std::vector<KnownFront> fronts) {
   live_.clear();
   remembered_.clear();
-  for (KnownFront& front : fronts) {
-    const std::uint32_t id = front.model.id;
-    remembered_[id] = std::move(front);
-  }
+  for (KnownFront& front : fronts) remember(std::move(front));
+}
+
+LearnedModel KnownFronts::forget(std::uint32_t id) {
+  const LearnedModel model = at(id);
+  live_.erase(id);
+  remembered_.erase(id);
+  return model;
 }
 
 }  // namespace cabinet_articulation::core

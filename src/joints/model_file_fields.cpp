@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_file_fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 #include "cabinet_articulation/articulation/model_registry.h"
@@ -15,6 +17,9 @@ using Numbers = std::vector<double>;
 constexpr std::size_t kPose = 7, kTriangle = 21, kEdges = 4;
 constexpr std::size_t kObservation = 1 + kPose + 2 + kEdges + kTriangle;
 constexpr double kUnitTolerance = 1e-6;
+constexpr double kObservationsOfOlderFiles = 10;
+constexpr double kEndOfTime = 4294967296.0;    // [s] of 32 bits
+constexpr double kLastStamp = 4294967295.999;  // [s] written with all its digits it still is before the end
 
 /// Twelve digits: less than a nanometre, and to the millisecond in a stamp of today.
 std::string toText(double value) {
@@ -50,6 +55,8 @@ YAML::Node list(const Value& value) {
   return list(numbers);
 }
 
+double stampToWrite(double stamp) { return std::isfinite(stamp) ? std::clamp(stamp, 0.0, kLastStamp) : 0; }
+
 double number(const YAML::Node& node, const std::string& field) {
   double value = 0;
   if (!node || !node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
@@ -57,11 +64,18 @@ double number(const YAML::Node& node, const std::string& field) {
   return value;
 }
 
-std::uint32_t count(const YAML::Node& node, const std::string& field) {
+std::uint32_t count(const YAML::Node& node, const std::string& field, std::uint32_t largest) {
   const double value = number(node, field);
-  if (value < 0 || value > 4294967295.0 || value != std::floor(value))
-    throw std::runtime_error("'" + field + "' is not a whole number from 0 on");
+  if (value < 0 || value > largest || value != std::floor(value))
+    throw std::runtime_error("'" + field + "' is not a whole number from 0 to " + std::to_string(largest));
   return static_cast<std::uint32_t>(value);
+}
+
+/// What ros::Time holds; a robot's messages know no others.
+double checkedStamp(double value, const std::string& field) {
+  if (value < 0 || value >= kEndOfTime)
+    throw std::runtime_error("'" + field + "' has the time " + toText(value) + ", expected seconds from 0 to 4294967295");
+  return value;
 }
 
 /// False where it is missing: a file may be older than the field.
@@ -109,17 +123,32 @@ double length(const YAML::Node& node, const std::string& field) {
   return value;
 }
 
+double share(const YAML::Node& node, const std::string& field) {
+  const double value = number(node, field);
+  if (value < 0 || value > 1) throw std::runtime_error("'" + field + "' is " + toText(value) + ", expected 0 to 1");
+  return value;
+}
+
 JointType typeFromName(const YAML::Node& node) {
   for (const ModelEntry& entry : modelRegistry())
     if (node && node.IsScalar() && node.Scalar() == entry.name) return entry.type;
   throw std::runtime_error("'type' is no kind of joint");
 }
 
+/// In the order of their stamps, which tracks of other programs need not have.
+std::vector<TrackedObservation> inOrder(const Track& track) {
+  std::vector<TrackedObservation> observations = track.observations;
+  std::stable_sort(observations.begin(), observations.end(), [](const TrackedObservation& a, const TrackedObservation& b) {
+    return stampToWrite(a.stamp) < stampToWrite(b.stamp);
+  });
+  return observations;
+}
+
 YAML::Node observationsToYaml(const Track& track) {
   YAML::Node node;
-  for (const TrackedObservation& observation : track.observations) {
+  for (const TrackedObservation& observation : inOrder(track)) {
     if (!observation.rectangle.pose.matrix().allFinite()) continue;  // the learner ignores it, and a reader would refuse it
-    Numbers n{observation.stamp};
+    Numbers n{stampToWrite(observation.stamp)};
     append(observation.rectangle.pose, &n);
     n.insert(n.end(), {observation.rectangle.width, observation.rectangle.height});
     n.insert(n.end(), observation.edge_support.begin(), observation.edge_support.end());
@@ -132,7 +161,7 @@ YAML::Node observationsToYaml(const Track& track) {
 TrackedObservation observationFromYaml(const YAML::Node& node) {
   const Numbers n = numbers(node, "observations", kObservation);
   TrackedObservation observation;
-  observation.stamp = n[0];
+  observation.stamp = checkedStamp(n[0], "observations");
   observation.rectangle = {pose(&n[1], "observations"), n[8], n[9]};
   if (n[8] < 0 || n[9] < 0) throw std::runtime_error("an observation has a negative size");
   for (std::size_t i = 0; i < kEdges; ++i) observation.edge_support[i] = static_cast<float>(n[10 + i]);
@@ -149,7 +178,9 @@ YAML::Node toYaml(const KnownFront& front) {
   YAML::Node node;
   node["id"] = model.id;
   node["type"] = modelName(model.type);
-  node["stamp"] = toText(model.stamp);
+  node["stamp"] = toText(stampToWrite(model.stamp));
+  node["support"] = toText(model.support);
+  node["doubt"] = toText(std::clamp(model.doubt, 0.0, 1.0));
   node["probabilities"] = list(model.probabilities);
   node["origin"] = list(model.origin);
   node["axis"] = list(model.axis);
@@ -177,10 +208,13 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   if (!node.IsMap()) throw std::runtime_error("expected a group of fields");
   KnownFront front;
   LearnedModel& model = front.model;
-  model.id = count(node["id"], "id");
+  model.id = count(node["id"], "id", kLargestId);
   model.moved = model.explained = true;
   model.type = typeFromName(node["type"]);
-  model.stamp = number(node["stamp"], "stamp");
+  model.stamp = checkedStamp(number(node["stamp"], "stamp"), "stamp");
+  // An older file tells no support, but was written of what had been seen often.
+  model.support = node["support"] ? count(node["support"], "support", kLargestId) : kObservationsOfOlderFiles;
+  if (node["doubt"]) model.doubt = share(node["doubt"], "doubt");
   model.probabilities = numbers(node["probabilities"], "probabilities", modelRegistry().size());
   model.origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");
   model.axis = unitVector(node["axis"], "axis");
@@ -199,7 +233,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   model.position_error = number(node["position_error"], "position_error");
   model.orientation_error = number(node["orientation_error"], "orientation_error");
   model.covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
-  model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations"));
+  model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", std::numeric_limits<int>::max()));
   for (const auto& entry : node["params"]) {
     const Numbers param = numbers(entry.second, "params", 2);
     model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
@@ -208,7 +242,11 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   front.track.width = model.width;
   front.track.height = model.height;
   for (const YAML::Node& entry : node["observations"]) front.track.observations.push_back(observationFromYaml(entry));
-  if (front.track.observations.empty()) throw std::runtime_error("'observations' is missing or empty");
+  const std::vector<TrackedObservation>& observations = front.track.observations;
+  if (observations.empty()) throw std::runtime_error("'observations' is missing or empty");
+  const auto earlier = [](const TrackedObservation& a, const TrackedObservation& b) { return a.stamp < b.stamp; };
+  if (!std::is_sorted(observations.begin(), observations.end(), earlier))
+    throw std::runtime_error("'observations' are not in the order of their times");
   return front;
 }
 

@@ -11,6 +11,7 @@
 #include "clock_jump.h"
 #include "latest_worker.h"
 #include "model_services.h"
+#include "model_store.h"
 #include "stage_nodelet.h"
 
 namespace cabinet_articulation {
@@ -22,7 +23,8 @@ class ArticulationNodelet : public StageNodelet {
   ~ArticulationNodelet() override {
     stop();
     worker_.reset();
-    if (services_) report([this] { return services_->finish(); });
+    if (services_) services_->shutdown();
+    if (store_) report([this] { return store_->saveAtExit(); });
   }
 
  private:
@@ -31,11 +33,19 @@ class ArticulationNodelet : public StageNodelet {
     ModelFileConfig file;
     loadSettings(config, file, output_);
     learner_ = std::make_unique<core::ArticulationLearner>(config);
-    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file, [this] { learner_->reset(); });
-    report([this] { return services_->loadAtStart(); });
+    const auto start_from = [this](const std::vector<core::LearnedModel>& joints) {
+      learner_->reset();
+      learner_->remember(joints);
+    };
+    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file,
+                                          LearnerCalls{start_from, [this](std::uint32_t id) { learner_->forget(id); }});
+    report([this] { return store_->loadAtStart(); });
+    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get());
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
-      std::lock_guard<std::mutex> lock(services_->learning());
-      learner_ = std::make_unique<core::ArticulationLearner>(tuned);
+      std::lock_guard<std::mutex> lock(store_->learning());
+      auto learner = std::make_unique<core::ArticulationLearner>(tuned);
+      learner->remember(joints());
+      learner_ = std::move(learner);
       services_->setConfig(tuned);
     });
     worker_ = std::make_unique<LatestWorker<TrackArrayConstPtr>>([this](const auto& tracks) { process(*tracks); });
@@ -44,7 +54,9 @@ class ArticulationNodelet : public StageNodelet {
     models_ = advertise<ArticulationModelArray>("models");
     // A robot_state_publisher that is started late needs to know where the fronts were left.
     joint_states_ = advertise<sensor_msgs::JointState>("joint_states", [this](const auto& subscriber) {
-      const sensor_msgs::JointState left = services_->lastJointStates(prefix_);
+      std::string frame_id;
+      const std::vector<core::LearnedModel> known = store_->jointModels(&frame_id);
+      const sensor_msgs::JointState left = lastJointStates(known, frame_id, prefix_);
       if (!left.name.empty()) subscriber.publish(left);
     });
   }
@@ -56,6 +68,13 @@ class ArticulationNodelet : public StageNodelet {
   }
 
   void unsubscribe() override { tracks_topic_.shutdown(); }
+
+  std::vector<core::LearnedModel> joints() const {
+    std::vector<core::LearnedModel> joints = store_->jointModels();
+    joints.erase(std::remove_if(joints.begin(), joints.end(), [](const auto& model) { return !core::isJoint(model); }),
+                 joints.end());
+    return joints;
+  }
 
   /// What happened to the model file. Without it the work goes on.
   void report(const std::function<std::string()>& work) {
@@ -70,22 +89,25 @@ class ArticulationNodelet : public StageNodelet {
 
   void process(const TrackArray& tracks) {
     const std_msgs::Header& header = tracks.header;
-    if (!file_trouble_.empty() && !services_->fileWasGood()) trouble("models_file", file_trouble_);
+    if (!file_trouble_.empty() && !store_->fileWasGood()) trouble("models_file", file_trouble_);
     runStage(header, [&] {
-      std::lock_guard<std::mutex> lock(services_->learning());
-      if (services_->isOutdated(tracks)) return;
-      const std::string other_frame = services_->followFrame(header.frame_id);
+      std::lock_guard<std::mutex> lock(store_->learning());
+      const GenerationWatch::Verdict verdict = store_->judge(tracks);
+      if (!verdict.trouble.empty()) trouble("known_fronts", verdict.trouble);
+      if (!verdict.use) return;
+      const std::string other_frame = store_->followFrame(header.frame_id);
       if (!other_frame.empty()) trouble("frame", other_frame);
       if (clock_jump_(header.stamp)) {
         NODELET_WARN("%s: time jumped back; joints stay known, all else is forgotten", getName().c_str());
-        services_->startAfresh();
+        store_->startAfresh();
         last_transforms_ = ros::Time();
       }
       std::vector<core::Track> fronts = fromMessage(tracks);
+      store_->dropForgotten(&fronts);
       const std::vector<core::LearnedModel> models = learner_->process(fronts);
       health().note("models", static_cast<double>(models.size()));
       health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
-      services_->update(std::move(fronts), models);
+      store_->update(std::move(fronts), models);
       sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
       if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
       broadcast(models, header);
@@ -103,6 +125,7 @@ class ArticulationNodelet : public StageNodelet {
   }
 
   std::unique_ptr<core::ArticulationLearner> learner_;
+  std::unique_ptr<ModelStore> store_;
   std::unique_ptr<ModelServices> services_;
   std::string file_trouble_;
   FrameOutputConfig output_;

@@ -3,6 +3,8 @@
 
 #include <ros/time.h>
 
+#include "cabinet_articulation/ros/pose_conversions.h"
+
 namespace cabinet_articulation {
 
 /// Recognises by the stamps of the frames that time was set back (a looped bag, a restarted simulation). Frames that are
@@ -10,7 +12,7 @@ namespace cabinet_articulation {
 class ClockJump {
  public:
   bool operator()(const ros::Time& stamp) {
-    const bool jumped = stamp + ros::Duration(kOutOfOrder) < newest_;
+    const bool jumped = secondsBetween(stamp, newest_) > kOutOfOrder;
     if (jumped || stamp > newest_) newest_ = stamp;
     return jumped;
   }

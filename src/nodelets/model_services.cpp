@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_services.h"
 
-#include <cabinet_articulation/KnownFrontArray.h>
-
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -54,16 +51,13 @@ void ModelServices::advertise(const std::string& name,
   servers_.push_back(nh_.advertiseService<Request, Response>(name, callback));
 }
 
-ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const ModelFileConfig& file,
-                             std::function<void()> on_reset)
-    : nh_(std::move(nh)), file_(file), on_reset_(std::move(on_reset)), config_(config) {
-  if (file_.save_at_exit && file_.models_file.empty())
-    throw core::ConfigError("save_at_exit is true, and models_file does not say where to save");
-  constexpr bool kLatched = true;
-  known_fronts_ = nh_.advertise<KnownFrontArray>("known_fronts", 1, kLatched);
+ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const std::string& models_file,
+                             ModelStore* store)
+    : nh_(std::move(nh)), models_file_(models_file), store_(*store), config_(config) {
   advertise<Predict>("predict", &ModelServices::predict);
   advertise<Configuration>("configuration", &ModelServices::configuration);
   advertise<FitTrack>("fit_track", &ModelServices::fitTrack);
+  advertise<Forget>("forget", &ModelServices::forget);
   advertise<HandlePath>("handle_path", &ModelServices::handlePath);
   advertise<SaveModels>("save_models", &ModelServices::saveModels);
   advertise<LoadModels>("load_models", &ModelServices::loadModels);
@@ -71,45 +65,8 @@ ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig&
   advertise<std_srvs::Trigger>("reset", &ModelServices::reset);
 }
 
-std::string ModelServices::loadAtStart() {
-  if (file_.models_file.empty()) return "";
-  if (!std::ifstream(file_.models_file)) return "model file '" + file_.models_file + "' is not there yet";
-  return load(file_.models_file);
-}
-
-std::string ModelServices::finish() {
+void ModelServices::shutdown() {
   for (ros::ServiceServer& server : servers_) server.shutdown();
-  if (!file_.save_at_exit) return "";
-  if (known_.joints().empty()) return "nothing was learned that could be saved";
-  return save(file_.models_file);
-}
-
-bool ModelServices::isOutdated(const TrackArray& tracks) const {
-  std::lock_guard<std::mutex> lock(mutex_);
-  const bool tracker_listens = known_fronts_.getNumSubscribers() > 0;
-  return tracker_listens && generation_ != 0 && tracks.generation != generation_;
-}
-
-std::string ModelServices::followFrame(const std::string& frame_id) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  const std::string before = frame_id_;
-  frame_id_ = frame_id;
-  if (before.empty() || before == frame_id) return "";
-  restart({frame_id, {}});
-  return "what was known is in the frame '" + before + "' and tracks are in '" + frame_id +
-         "', so it is forgotten; see fixed_frame";
-}
-
-void ModelServices::update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  known_.update(std::move(tracks), models);
-}
-
-sensor_msgs::JointState ModelServices::lastJointStates(const std::string& prefix) const {
-  std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<core::LearnedModel> models;
-  for (const core::KnownFront& front : known_.joints()) models.push_back(front.model);
-  return cabinet_articulation::lastJointStates(models, frame_id_, prefix);
 }
 
 void ModelServices::setConfig(const core::ArticulationConfig& config) {
@@ -118,10 +75,8 @@ void ModelServices::setConfig(const core::ArticulationConfig& config) {
 }
 
 core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* header) const {
-  std::lock_guard<std::mutex> lock(mutex_);
-  const core::LearnedModel& model = known_.at(id);
+  const core::LearnedModel model = store_.modelOf(id, &header->frame_id);
   core::requireJoint(model);
-  header->frame_id = frame_id_;
   header->stamp = toStamp(model.stamp);
   return model;
 }
@@ -170,82 +125,37 @@ void ModelServices::handlePath(const HandlePath::Request& request, HandlePath::R
 }
 
 void ModelServices::saveModels(const SaveModels::Request& request, SaveModels::Response* response) {
-  response->message = save(fileOr(request.file));
+  response->message = store_.save(fileOr(request.file));
 }
 
 void ModelServices::loadModels(const LoadModels::Request& request, LoadModels::Response* response) {
-  response->message = load(fileOr(request.file));
+  response->message = store_.load(fileOr(request.file));
 }
 
 void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response) {
   std::vector<core::LearnedModel> models;
-  std::lock_guard<std::mutex> lock(mutex_);
-  for (const std::uint32_t id : request.ids) models.push_back(known_.at(id));
+  std::string frame_id;
+  for (const std::uint32_t id : request.ids) models.push_back(store_.modelOf(id, &frame_id));
   if (request.ids.empty())
-    for (const core::KnownFront& front : known_.joints())
-      if (core::hasUrdf(front.model)) models.push_back(front.model);
+    for (const core::LearnedModel& model : store_.jointModels(&frame_id))
+      if (core::hasUrdf(model)) models.push_back(model);
   if (models.empty())
     throw core::ModelError("no prismatic or rotational joint is known yet; fronts must be seen while they move");
-  response->urdf = core::toUrdf(models, frame_id_, jointPrefix(nh_.getNamespace()));
+  response->urdf = core::toUrdf(models, frame_id, jointPrefix(nh_.getNamespace()));
 }
 
 void ModelServices::reset(const std_srvs::Trigger::Request&, std_srvs::Trigger::Response* response) {
-  startFrom({});
+  store_.reset();
   response->message = "everything is forgotten";
 }
 
+void ModelServices::forget(const Forget::Request& request, Forget::Response* response) {
+  response->message = store_.forget(request.id);
+}
+
 std::string ModelServices::fileOr(const std::string& requested) const {
-  if (requested.empty() && file_.models_file.empty()) throw core::ModelFileError("no file is given, and models_file is not set");
-  return requested.empty() ? file_.models_file : requested;
-}
-
-std::string ModelServices::save(const std::string& path) {
-  core::ModelFile models;
-  {
-    std::lock_guard<std::mutex> lock(mutex_);
-    models = {frame_id_, known_.joints()};
-  }
-  core::writeModelFile(path, models);
-  file_was_good_ = true;
-  return std::to_string(models.fronts.size()) + " fronts saved to '" + path + "'";
-}
-
-std::string ModelServices::load(const std::string& path) {
-  const core::ModelFile models = core::readModelFile(path);
-  {
-    std::lock_guard<std::mutex> lock(mutex_);
-    if (!frame_id_.empty() && models.frame != frame_id_ && !models.fronts.empty())
-      throw core::ModelFileError("model file '" + path + "': its poses are in the frame '" + models.frame + "', tracks in '" +
-                                 frame_id_ + "'; nothing is loaded");
-  }
-  const std::string text = std::to_string(models.fronts.size()) + " fronts loaded from '" + path + "'";
-  startFrom(models);
-  file_was_good_ = true;
-  return text;
-}
-
-void ModelServices::startFrom(const core::ModelFile& models) {
-  std::lock_guard<std::mutex> learning(learning_);
-  std::lock_guard<std::mutex> lock(mutex_);
-  restart(models);
-}
-
-void ModelServices::startAfresh() {
-  std::lock_guard<std::mutex> lock(mutex_);
-  restart({frame_id_, known_.joints()});
-}
-
-void ModelServices::restart(const core::ModelFile& models) {
-  on_reset_();
-  known_.replace(models.fronts);
-  if (!models.fronts.empty()) frame_id_ = models.frame;
-  KnownFrontArray message;
-  message.header.frame_id = frame_id_;
-  // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.
-  generation_ = std::max(generation_ + 1, ros::WallTime::now().sec);
-  message.generation = generation_;
-  for (const core::KnownFront& front : models.fronts) message.tracks.push_back(toMessage(front.track, models.frame));
-  known_fronts_.publish(message);
+  if (requested.empty() && models_file_.empty()) throw core::ModelFileError("no file is given, and models_file is not set");
+  return requested.empty() ? models_file_ : requested;
 }
 
 }  // namespace cabinet_articulation

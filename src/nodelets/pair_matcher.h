@@ -42,7 +42,7 @@ class PairMatcher {
   std::optional<double> mismatch() const {
     if (lonely_left_ < kPatience || lonely_right_ < kPatience) return {};
     const ros::Time stamp = left_.newest()->header.stamp;
-    return std::abs((right_.nearest(stamp)->header.stamp - stamp).toSec());
+    return std::abs(secondsBetween(stamp, right_.nearest(stamp)->header.stamp));
   }
 
   void clear() {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <deque>
 
+#include "cabinet_articulation/ros/pose_conversions.h"
+
 namespace cabinet_articulation {
 
 /// The last few messages of a topic, found by stamp. Unlike message_filters::Cache it keeps the order of arrival, so that
@@ -42,7 +44,7 @@ class RecentMessages {
 
  private:
   static double difference(const Ptr& message, const ros::Time& stamp) {
-    return std::abs((message->header.stamp - stamp).toSec());
+    return std::abs(secondsBetween(stamp, message->header.stamp));
   }
 
   size_t capacity_;

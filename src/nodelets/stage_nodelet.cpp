@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include "cabinet_articulation/ros/pose_conversions.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -75,7 +77,7 @@ void StageNodelet::runStage(const std_msgs::Header& header, const std::function<
   timing.header = header;
   timing.stage = stage_;
   timing.milliseconds = 1e3 * (now() - start);
-  health_.processed((ros::Time::now() - header.stamp).toSec(), timing.milliseconds, now());
+  health_.processed(secondsBetween(header.stamp, ros::Time::now()), timing.milliseconds, now());
   publish(timing_, std::move(timing));
 }
 

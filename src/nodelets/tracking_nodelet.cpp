@@ -28,9 +28,10 @@ class TrackingNodelet : public StageNodelet {
     loadSettings(config, fixed_frame_);
     tracker_ = std::make_unique<core::RectangleTracker>(config);
     offerTuning<core::TrackingConfig>(config, [this](const auto& tuned) {
-      // Its fronts keep their ids.
+      // Its fronts keep their ids, in view or not.
       auto tracker = std::make_unique<core::RectangleTracker>(tuned);
-      tracker->remember(tracker_->tracks(), newest_);
+      tracker->remember(tracker_->knownTracks());
+      tracker->useIdsFrom(tracker_->nextId());
       tracker_ = std::move(tracker);
     });
     worker_ = std::make_unique<LatestWorker<RectangleArrayConstPtr>>([this](const auto& rectangles) { process(*rectangles); });
@@ -67,7 +68,6 @@ class TrackingNodelet : public StageNodelet {
         frame_id_ = header.frame_id;
         startAfresh(header);
       }
-      newest_ = header.stamp.toSec();
       takeOverKnownFronts(header);
       const Eigen::Isometry3d T_fixed_camera =
           transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
@@ -87,14 +87,24 @@ class TrackingNodelet : public StageNodelet {
       known.swap(new_known_);
     }
     if (!known) return;
+    const bool anew = known->generation != generation_;
     generation_ = known->generation;
     known_ = known;
-    startAfresh(header);
+    tracker_->useIdsFrom(known->next_id);
+    for (const std::uint32_t id : known->forgotten) tracker_->forget(id);
+    if (anew)
+      startAfresh(header);
+    else
+      remember(header);
   }
 
   /// Knows nothing but what was learned in earlier runs.
   void startAfresh(const std_msgs::Header& header) {
     tracker_->reset();
+    remember(header);
+  }
+
+  void remember(const std_msgs::Header& header) {
     if (!known_ || known_->tracks.empty()) return;
     if (known_->header.frame_id != header.frame_id) {
       trouble("known fronts", "known fronts are in the frame '" + known_->header.frame_id + "' and tracks in '" +
@@ -103,7 +113,7 @@ class TrackingNodelet : public StageNodelet {
     }
     std::vector<core::Track> fronts;
     for (const Track& track : known_->tracks) fronts.push_back(fromMessage(track));
-    tracker_->remember(std::move(fronts), header.stamp.toSec());
+    tracker_->remember(std::move(fronts));
   }
 
   void publishExpected(const std_msgs::Header& header) {
@@ -125,7 +135,6 @@ class TrackingNodelet : public StageNodelet {
   KnownFrontArrayConstPtr new_known_;  ///< not taken over yet
   KnownFrontArrayConstPtr known_;
   std::string frame_id_;          ///< of the tracks
-  double newest_ = 0;             ///< [s] stamp of the newest frame
   std::uint32_t generation_ = 0;  ///< of the known fronts the tracker started from
   ros::Publisher tracks_, expected_;
   std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;

@@ -71,6 +71,14 @@ boost::array<double, 36> toMessage(const core::Matrix6d& covariance) {
 
 core::Matrix6d fromMessage(const boost::array<double, 36>& covariance) { return Eigen::Map<const RowMajor6d>(covariance.data()); }
 
-ros::Time toStamp(double seconds) { return ros::Time().fromSec(seconds); }
+ros::Time toStamp(double seconds) {
+  if (!(seconds > 0)) return {};
+  if (seconds >= ros::TIME_MAX.toSec()) return ros::TIME_MAX;
+  return ros::Time().fromSec(seconds);
+}
+
+double secondsBetween(const ros::Time& earlier, const ros::Time& later) {
+  return 1e-9 * static_cast<double>(static_cast<std::int64_t>(later.toNSec()) - static_cast<std::int64_t>(earlier.toNSec()));
+}
 
 }  // namespace cabinet_articulation

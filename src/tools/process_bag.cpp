@@ -10,6 +10,7 @@
 
 #include "bag_transforms.h"
 #include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
 #include "rectifier.h"
 #include "result_bag.h"
 #include "run_program.h"
@@ -124,7 +125,7 @@ class Run {
   /// A clock that jumps back by more than a second starts anew (a bag that was recorded in a loop).
   bool isNewer(const ros::Time& stamp) {
     if (summary_.frames() == 0 || stamp > header_.stamp) return true;
-    if (header_.stamp - stamp < ros::Duration(1)) return false;
+    if (secondsBetween(stamp, header_.stamp) < 1) return false;
     std::fprintf(stderr, "process_bag: time jumped back from %f to %f, all tracks start anew\n", header_.stamp.toSec(),
                  stamp.toSec());
     pipeline_.reset();

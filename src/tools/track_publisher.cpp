@@ -67,7 +67,7 @@ std::vector<core::Track> readLogs(int count, char** files) {
   std::vector<core::Track> logs;
   for (int i = 0; i < count; ++i) {
     logs.push_back(core::readPoseLog(files[i]).track);
-    logs.back().id = static_cast<std::uint32_t>(i);
+    logs.back().id = static_cast<std::uint32_t>(i + 1);  // 0 is nobody
   }
   return logs;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/tracking/continuation.h"
 
+#include <cmath>
+
 #include "cabinet_articulation/tracking/history.h"
 #include "cabinet_articulation/tracking/motion_gate.h"
 #include "cabinet_articulation/tracking/placement.h"
@@ -31,17 +33,18 @@ std::optional<Continuation> continueFrom(const KnownPlace& reference, double sec
 
 }  // namespace
 
-std::optional<Continuation> findContinuation(const Track& track, const FrontSize& size, const DetectedRectangle& detection,
+std::optional<Continuation> findContinuation(const Track& track, const TrackMemory& memory, const DetectedRectangle& detection,
                                              double stamp, const TrackingConfig& config) {
   std::optional<Continuation> best;
   const auto consider = [&](const KnownPlace& reference, double seconds) {
-    const auto candidate = continueFrom(reference, seconds, detection, size, config);
+    const auto candidate = continueFrom(reference, seconds, detection, memory.size, config);
     if (candidate && (!best || candidate->distance < best->distance)) best = candidate;
   };
-  const double gap = stamp - track.observations.back().stamp;
+  const double gap = stamp - memory.last_seen;
+  const double now = std::isfinite(gap) ? stamp : gap;  // the time of the history may be another one then
   const KnownPlace newest = placeOf(track.observations.back());
   consider(newest, gap);
-  consider({extrapolate(track.observations, stamp, config.prediction_horizon), newest.covariance}, 0);
+  consider({extrapolate(track.observations, now, config.prediction_horizon), newest.covariance}, 0);
   if (gap > config.prediction_horizon) consider(placeOf(nearestObservation(track.observations, detection.rectangle.center())), 0);
   return best;
 }

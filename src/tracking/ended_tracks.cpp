@@ -21,6 +21,15 @@ double extent(const Track& track) {
 
 }  // namespace
 
+void placeBefore(std::vector<TrackedObservation>& history, double stamp, double gap) {
+  const double first = history.front().stamp, last = history.back().stamp;
+  const double start = std::min(0.0, stamp);
+  const double end = stamp > 0 ? std::max(stamp - gap, stamp / 2) : stamp;
+  const double scale = last > first ? std::min(1.0, (end - start) / (last - first)) : 1;
+  for (TrackedObservation& observation : history)
+    observation.stamp = std::max(start, end - (last - observation.stamp) * scale);
+}
+
 void EndedTracks::keep(Track track, TrackMemory memory) {
   while (thinOut(track.observations, kKept)) continue;
   ended_.insert(std::move(track), std::move(memory));
@@ -41,6 +50,11 @@ std::vector<std::optional<EndedTracks::Entry>> EndedTracks::takeBack(const std::
     if (track_of[i] < 0) continue;
     taken[i].emplace(std::move(ended_.tracks[track_of[i]]), std::move(ended_.memories[track_of[i]]));
     gone[track_of[i]] = true;
+    Track& track = taken[i]->first;
+    if (track.observations.back().stamp >= stamp) {
+      placeBefore(track.observations, stamp, config_.timeout);
+      ++track.revision;
+    }
   }
   RememberedTracks left;
   for (size_t j = 0; j < gone.size(); ++j)

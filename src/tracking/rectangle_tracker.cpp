@@ -10,6 +10,7 @@
 #include "cabinet_articulation/tracking/continuation.h"
 #include "cabinet_articulation/tracking/history.h"
 #include "cabinet_articulation/tracking/placement.h"
+#include "same_front.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -27,28 +28,6 @@ bool isUsable(const DetectedRectangle& detection) {
   return rectangle.pose.matrix().allFinite() && detection.covariance.allFinite() && std::isfinite(rectangle.width) &&
          std::isfinite(rectangle.height) && rectangle.width > 0 && rectangle.height > 0 &&
          (R * R.transpose()).isIdentity(kRotationTolerance) && R.determinant() > 0;
-}
-
-/// Two rectangles of one frame that show the same front: they overlap by a good part and lie in one plane.
-bool isDuplicate(const Rectangle& a, const Rectangle& b) {
-  constexpr double kOverlap = 0.3, kDistance = 0.02, kCosine = 0.995;  // -, m, 6 degrees
-  return std::abs(a.normal().dot(b.normal())) > kCosine && std::abs(a.plane().distance(b.center())) < kDistance &&
-         intersectionOverUnion(a, b) > kOverlap;
-}
-
-/// A part of a front that moved, seen alone: it lies within the front's outline and plane. Closed fronts do lie in the face of
-/// others.
-bool isPartOf(const Track& track, const Rectangle& part, double stamp, const TrackingConfig& config) {
-  constexpr double kRecent = 0.3, kMoved = 0.03, kInside = 0.7, kDistance = 0.02, kCosine = 0.99;  // s, m, -, m, 8 degrees
-  const TrackedObservation& newest = track.observations.back();
-  const Eigen::Vector3d way = newest.rectangle.center() - track.observations.front().rectangle.center();
-  if (!isConfirmed(track, config) || stamp - newest.stamp > kRecent || way.norm() < kMoved) return false;
-  const Rectangle front =
-      newest.stamp == stamp ? newest.rectangle : extrapolate(track.observations, stamp, config.prediction_horizon);
-  if (std::abs(front.normal().dot(part.normal())) < kCosine || std::abs(front.plane().distance(part.center())) > kDistance)
-    return false;
-  const double area = part.width * part.height, overlap = intersectionOverUnion(front, part);
-  return overlap / (1 + overlap) * (front.width * front.height + area) > kInside * area;
 }
 
 /// All observations with the track's new size, from the newest back: the size was known worst at the beginning. The newest
@@ -80,22 +59,33 @@ void RectangleTracker::reset() {
   last_stamp_ = -std::numeric_limits<double>::infinity();
 }
 
-void RectangleTracker::remember(std::vector<Track> fronts, double stamp) {
+void RectangleTracker::remember(std::vector<Track> fronts) {
   for (Track& front : fronts) {
-    if (front.observations.empty()) continue;
-    next_id_ = std::max(next_id_, front.id + 1);
-    const double late = front.observations.back().stamp - (stamp - config_.timeout);
-    FrontSize size(config_);
-    for (TrackedObservation& observation : front.observations) {
-      observation.stamp -= std::max(0.0, late);
-      DetectedRectangle detection;
-      detection.rectangle = observation.measured;
-      detection.edge_support = observation.edge_support;
-      size.add(detection);
-    }
-    const int seen = static_cast<int>(front.observations.size());
-    ended_.keep(std::move(front), {std::move(size), seen, seen, 0});
+    if (front.observations.empty() || front.id == 0 || front.id > kLargestId || isKnown(front.id)) continue;
+    useIdsFrom(front.id + 1);
+    TrackMemory memory = memoryOf(front, config_);
+    ended_.keep(std::move(front), std::move(memory));
   }
+}
+
+std::vector<Track> RectangleTracker::knownTracks() const {
+  std::vector<Track> tracks = live_.tracks;
+  tracks.insert(tracks.end(), ended_.tracks().begin(), ended_.tracks().end());
+  return tracks;
+}
+
+bool RectangleTracker::forget(std::uint32_t id) {
+  const bool was_live = live_.erase(id);
+  return ended_.forget(id) || was_live;
+}
+
+void RectangleTracker::useIdsFrom(std::uint32_t id) { next_id_ = std::max(next_id_, id); }
+
+bool RectangleTracker::isKnown(std::uint32_t id) const { return live_.contains(id) || ended_.contains(id); }
+
+std::uint32_t RectangleTracker::takeId() {
+  while (next_id_ == 0 || isKnown(next_id_)) ++next_id_;
+  return next_id_++;
 }
 
 const std::vector<Track>& RectangleTracker::process(double stamp, const std::vector<DetectedRectangle>& rectangles) {
@@ -158,10 +148,11 @@ void RectangleTracker::endTracks(double stamp) {
 }
 
 void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const {
-  const Continuation found = *findContinuation(track, memory.size, rectangle, stamp, config_);
+  const Continuation found = *findContinuation(track, memory, rectangle, stamp, config_);
   const DetectedRectangle& measured = found.measured;
   memory.frames += std::min(memory.unseen, kLongestFlicker);
   memory.unseen = 0;
+  memory.last_seen = stamp;
   ++memory.seen;
   memory.size.add(measured);
   const KnownSize& known = memory.size.known();
@@ -235,13 +226,14 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
                     [&](const Track& track) { return isPartOf(track, detection.rectangle, stamp, config_); }))
       continue;
     Track track;
-    track.id = next_id_++;
+    track.id = takeId();
     track.width = detection.rectangle.width;
     track.height = detection.rectangle.height;
     track.observations.push_back(
         {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
     TrackMemory memory{FrontSize(config_)};
     memory.size.add(detection);
+    memory.last_seen = stamp;
     live_.insert(std::move(track), std::move(memory));
   }
 }

@@ -20,11 +20,37 @@ double cost(double distance) { return std::log1p(std::pow(distance / kUsualDista
 
 }  // namespace
 
+TrackMemory memoryOf(const Track& track, const TrackingConfig& config) {
+  TrackMemory memory{FrontSize(config)};
+  for (const TrackedObservation& observation : track.observations) {
+    DetectedRectangle detection;
+    detection.rectangle = observation.measured;
+    detection.edge_support = observation.edge_support;
+    memory.size.add(detection);
+  }
+  memory.seen = memory.frames = static_cast<int>(track.observations.size());
+  return memory;
+}
+
 void RememberedTracks::insert(Track track, TrackMemory memory) {
   const auto later = [](const Track& a, const Track& b) { return a.id < b.id; };
   const auto place = std::upper_bound(tracks.begin(), tracks.end(), track, later);
   memories.insert(memories.begin() + (place - tracks.begin()), std::move(memory));
   tracks.insert(place, std::move(track));
+}
+
+bool RememberedTracks::erase(std::uint32_t id) {
+  for (size_t i = 0; i < tracks.size(); ++i) {
+    if (tracks[i].id != id) continue;
+    tracks.erase(tracks.begin() + i);
+    memories.erase(memories.begin() + i);
+    return true;
+  }
+  return false;
+}
+
+bool RememberedTracks::contains(std::uint32_t id) const {
+  return std::any_of(tracks.begin(), tracks.end(), [id](const Track& track) { return track.id == id; });
 }
 
 void RememberedTracks::sort() {
@@ -49,7 +75,7 @@ std::vector<int> assignToTracks(const std::vector<DetectedRectangle>& rectangles
   for (size_t i = 0; i < rectangles.size(); ++i) {
     for (size_t j = 0; j < remembered.tracks.size(); ++j) {
       const Track& track = remembered.tracks[j];
-      const auto found = findContinuation(track, remembered.memories[j].size, rectangles[i], stamp, config);
+      const auto found = findContinuation(track, remembered.memories[j], rectangles[i], stamp, config);
       costs(i, j) = found ? cost(found->distance + (isConfirmed(track, config) ? 0 : kTentativeDistance)) : kForbidden;
     }
   }

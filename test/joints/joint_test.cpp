@@ -19,6 +19,18 @@ TEST(Joint, IsWhatMovedAlongAPathThatAModelDescribes) {
   EXPECT_FALSE(isJoint(test::unexplainedModel()));
 }
 
+TEST(Joint, IsNoneAnyMoreOnceAsMuchSpeaksAgainstItAsForIt) {
+  LearnedModel door = test::doorModel();
+  door.doubt = 0.99;
+  EXPECT_TRUE(isJoint(door));
+  EXPECT_FALSE(isGivenUp(door));
+  door.doubt = 1;
+  EXPECT_FALSE(isJoint(door));
+  EXPECT_TRUE(isGivenUp(door) && wasJoint(door));
+  EXPECT_THAT([&] { requireJoint(door); },
+              ThrowsMessage<ModelError>(HasSubstr("front 3 was taken for a rotational joint, but as many observations")));
+}
+
 TEST(Joint, RefusalSaysWhichFrontAndWhy) {
   EXPECT_NO_THROW(requireJoint(test::doorModel()));
   EXPECT_THAT([] { requireJoint(test::restingModel()); },

@@ -70,6 +70,66 @@ TEST(KnownFronts, AFrontThatCameBackKeepsWhatWasKnownUntilItMovesAgain) {
   EXPECT_EQ(known.joints().size(), 1u);
 }
 
+TEST(KnownFronts, AJointStaysKnownWhileItsModelTellsLess) {
+  KnownFronts known;
+  see(&known, {test::doorModel()});
+  LearnedModel less = test::restingModel();
+  less.id = 3;
+  LearnedModel unexplained = test::unexplainedModel();
+  unexplained.id = 3;
+  for (const LearnedModel& now : {less, unexplained}) {
+    see(&known, {now});
+    EXPECT_TRUE(isJoint(known.at(3)));
+    EXPECT_EQ(known.joints().size(), 1u) << "and would be saved";
+  }
+}
+
+TEST(KnownFronts, AJointThatIsGivenUpIsKeptWithItsDoubtButAnswersNothing) {
+  KnownFronts known;
+  see(&known, {test::doorModel()});
+  LearnedModel given_up = test::restingModel();
+  given_up.id = 3;
+  given_up.doubt = 1;
+  see(&known, {given_up});
+  EXPECT_THAT([&] { requireJoint(known.at(3)); }, ThrowsMessage<ModelError>(HasSubstr("was taken for a rotational joint")));
+  ASSERT_EQ(known.joints().size(), 1u);
+  EXPECT_EQ(known.joints()[0].model.doubt, 1);
+  EXPECT_EQ(known.joints()[0].model.radius, test::doorModel().radius);
+  LearnedModel drawer = test::drawerModel();
+  drawer.id = 3;
+  see(&known, {drawer});
+  EXPECT_EQ(known.at(3).type, JointType::kPrismatic) << "learned better";
+  EXPECT_EQ(known.joints()[0].model.doubt, 0);
+}
+
+TEST(KnownFronts, ForgetsOneAndNoOther) {
+  KnownFronts known;
+  see(&known, {test::restingModel(), test::doorModel(), test::drawerModel()});
+  see(&known, {test::restingModel(), test::drawerModel()});
+  EXPECT_EQ(known.forget(3).radius, test::doorModel().radius) << "out of view";
+  EXPECT_EQ(known.forget(1).id, 1u) << "in view, and no joint";
+  EXPECT_THAT([&] { known.forget(3); }, ThrowsMessage<ModelError>("there is no front 3; the fronts known are 4"));
+  EXPECT_EQ(known.joints().size(), 1u);
+}
+
+TEST(KnownFronts, MemoryIsBoundedAndTheLeastSeenGoFirst) {
+  KnownFronts known;
+  for (std::uint32_t id = 1; id <= KnownFronts::kMostRemembered + 10; ++id) {
+    LearnedModel model = test::doorModel();
+    model.id = id;
+    model.observations = id % 2 == 0 ? 500 : 20 + static_cast<int>(id);
+    Track track = trackOf(model);
+    track.observations.resize(1000);
+    known.update({track}, {model});
+  }
+  see(&known, {});
+  const std::vector<KnownFront> joints = known.joints();
+  ASSERT_EQ(joints.size(), KnownFronts::kMostRemembered);
+  EXPECT_EQ(joints[0].model.id, 2u);
+  EXPECT_EQ(joints[9].model.id, 20u) << "1 to 19 but for the even ones are gone";
+  EXPECT_LE(joints[0].track.observations.size(), static_cast<size_t>(kKeptObservations));
+}
+
 TEST(KnownFronts, ReplacingForgetsEverythingElse) {
   KnownFronts known;
   see(&known, {test::doorModel()});

@@ -2,90 +2,36 @@
 #include "cabinet_articulation/joints/model_file.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "cabinet_articulation/joints/prediction.h"
-#include "support/models.h"
+#include "joints/learned_fronts.h"
+#include "joints/model_folder.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 namespace fs = std::filesystem;
+using test::learned;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A front with a history from q_min to q_max and a covariance without zeros.
-KnownFront known(LearnedModel model, int observations = 20) {
-  model.stamp = 1795323255.25;
-  model.position_error = 0.0012345;
-  model.orientation_error = 0.02;
-  model.observations = observations;
-  model.q_min_is_end = true;
-  model.q_max_is_end = false;
-  model.probabilities = {0.01, 0.02, 0.94, 0.03};
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) model.covariance(i, j) = 1e-5 / (1 + i + j);
-  model.params = {{"sigma_position", 0.01, ModelParam::kPrior}, {"q_min[0]", model.q_min, ModelParam::kEval}};
-  KnownFront front{model, {}};
-  front.track.id = model.id;
-  front.track.width = model.width;
-  front.track.height = model.height;
-  for (int i = 0; i < observations; ++i) {
-    TrackedObservation observation;
-    observation.stamp = model.stamp - 0.1 * (observations - 1 - i);
-    observation.rectangle = {model.predict(model.q_max * i / (observations - 1)), model.width, model.height + 0.001 * i};
-    observation.covariance = model.covariance;
-    observation.edge_support = {1, 0.5F, 0.25F, 0};
-    front.track.observations.push_back(observation);
-  }
-  return front;
-}
-
-class ModelFiles : public testing::Test {
+class ModelFiles : public test::ModelFolder {
  protected:
-  ModelFiles() : folder_(fs::temp_directory_path() / ("model_file_test." + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-    path_ = folder_ / "kitchen.yaml";
-  }
-  ~ModelFiles() override { fs::remove_all(folder_); }
-
-  std::string text() const {
-    std::ifstream in(path_);
-    std::stringstream stream;
-    stream << in.rdbuf();
-    return stream.str();
-  }
-
-  void write(const std::string& text) const { std::ofstream(path_) << text; }
-
-  /// Replaces the first `from` in the file.
-  void damage(const std::string& from, const std::string& to) const {
-    std::string content = text();
-    const size_t at = content.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    write(content.replace(at, from.size(), to));
-  }
-
   void expectRefused(const std::string& words) const {
-    const std::string before = text();
     EXPECT_THAT([&] { readModelFile(path_); }, ThrowsMessage<ModelFileError>(AllOf(HasSubstr(path_), HasSubstr(words))));
-    EXPECT_THAT([&] { writeModelFile(path_, {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("left as it is")));
-    EXPECT_EQ(text(), before) << "left untouched";
   }
-
-  const fs::path folder_;
-  std::string path_;
 };
 
 TEST_F(ModelFiles, BringBackWhatWasKnown) {
-  const ModelFile saved{"odom", {known(test::doorModel()), known(test::drawerModel()), known(test::garageModel())}};
-  writeModelFile(path_, saved);
+  ModelFile saved{"odom", {learned(test::doorModel()), learned(test::drawerModel()), learned(test::garageModel())}};
+  saved.fronts[1].model.doubt = 0.25;
+  saveModelFile(path_, saved);
   const ModelFile loaded = readModelFile(path_);
   EXPECT_EQ(loaded.frame, "odom");
   ASSERT_EQ(loaded.fronts.size(), 3u);
@@ -95,6 +41,7 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
     EXPECT_EQ(after.id, before.id);
     EXPECT_EQ(after.type, before.type);
     EXPECT_TRUE(isJoint(after));
+    EXPECT_EQ(after.doubt, before.doubt);
     EXPECT_NEAR(after.stamp, before.stamp, 1e-5);
     EXPECT_EQ(after.observations, 20);
     EXPECT_TRUE(after.q_min_is_end);
@@ -130,24 +77,53 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
 }
 
 TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
-  writeModelFile(path_, {"map", {known(test::doorModel())}});
+  saveModelFile(path_, {"map", {learned(test::doorModel())}});
   damage("    q_min_is_end: true\n", "");
   EXPECT_FALSE(readModelFile(path_).fronts.at(0).model.q_min_is_end);
 }
 
+TEST_F(ModelFiles, OlderThanDoubtKnowOfNone) {
+  KnownFront door = learned(test::doorModel());
+  door.model.doubt = 0.5;
+  saveModelFile(path_, {"map", {door}});
+  damage("    doubt: 0.5\n", "");
+  EXPECT_EQ(readModelFile(path_).fronts.at(0).model.doubt, 0);
+}
+
+TEST_F(ModelFiles, OfTheTimeWhenIdsBeganAtZeroGiveThatFrontAnother) {
+  saveModelFile(path_, {"map", {learned(test::doorModel()), learned(test::drawerModel())}});
+  damage("id: 3", "id: 0");
+  const ModelFile loaded = readModelFile(path_);
+  EXPECT_EQ(loaded.fronts.at(0).model.id, 5u);
+  EXPECT_EQ(loaded.fronts.at(0).track.id, 5u);
+  EXPECT_EQ(inWords(loaded.changes), "front 0 of the file is front 5 now");
+}
+
+TEST_F(ModelFiles, HoldTimesFromTheFirstToTheLastThatAMessageHolds) {
+  for (const double stamp : {0.0, 0.02, 4294967295.9999998}) {
+    saveModelFile(path_, {"map", {learned(test::doorModel(), 20, stamp)}});
+    const KnownFront loaded = readModelFile(path_).fronts.at(0);
+    EXPECT_NEAR(loaded.model.stamp, stamp, 0.01);
+    EXPECT_GE(loaded.track.observations.front().stamp, 0);
+    EXPECT_TRUE(std::is_sorted(loaded.track.observations.begin(), loaded.track.observations.end(),
+                               [](const auto& a, const auto& b) { return a.stamp < b.stamp; }));
+    fs::remove(path_);
+  }
+}
+
 TEST_F(ModelFiles, OfNothingAreReadToo) {
-  writeModelFile(path_, {"map", {}});
+  saveModelFile(path_, {"map", {}});
   EXPECT_TRUE(readModelFile(path_).fronts.empty());
 }
 
 TEST_F(ModelFiles, HoldMarkersThatHaveNoSizeAndObservationsWithoutCertainty) {
   LearnedModel marker = test::drawerModel();
   marker.width = marker.height = 0;
-  ModelFile saved{"map", {known(marker)}};
+  ModelFile saved{"map", {learned(marker)}};
   for (TrackedObservation& observation : saved.fronts[0].track.observations) observation.rectangle.height = 0;
   saved.fronts[0].track.observations[1].covariance(5, 5) = std::numeric_limits<double>::infinity();
   saved.fronts[0].track.observations[2].rectangle.pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
-  writeModelFile(path_, saved);
+  saveModelFile(path_, saved);
   const KnownFront loaded = readModelFile(path_).fronts.at(0);
   EXPECT_EQ(loaded.model.width, 0);
   ASSERT_EQ(loaded.track.observations.size(), 19u) << "but for the one without a place";
@@ -155,36 +131,19 @@ TEST_F(ModelFiles, HoldMarkersThatHaveNoSizeAndObservationsWithoutCertainty) {
 }
 
 TEST_F(ModelFiles, StaySmallWhenMuchWasSeen) {
-  writeModelFile(path_, {"map", {known(test::doorModel(), 5000)}});
+  saveModelFile(path_, {"map", {learned(test::doorModel(), 5000)}});
   EXPECT_LE(readModelFile(path_).fronts.at(0).track.observations.size(), 200u);
   EXPECT_LT(fs::file_size(path_), 200000u);
 }
 
-TEST_F(ModelFiles, ReplaceAnOlderOneAndLeaveNothingBehind) {
-  writeModelFile(path_, {"map", {known(test::doorModel())}});
-  writeModelFile(path_, {"map", {known(test::drawerModel())}});
-  EXPECT_EQ(readModelFile(path_).fronts.at(0).model.id, 4u);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
-}
-
-TEST_F(ModelFiles, InAnotherFrameAreNotOverwritten) {
-  writeModelFile(path_, {"map", {known(test::doorModel())}});
-  EXPECT_THAT(
-      [&] {
-        writeModelFile(path_, {"odom", {known(test::drawerModel())}});
-      },
-      ThrowsMessage<ModelFileError>(HasSubstr("in the frame 'map', and the new ones in 'odom'; it is left as it is")));
-  EXPECT_EQ(readModelFile(path_).fronts.at(0).model.id, 3u);
-}
-
 TEST_F(ModelFiles, OfAnotherVersionAreRefused) {
-  writeModelFile(path_, {"map", {known(test::doorModel())}});
+  saveModelFile(path_, {"map", {learned(test::doorModel())}});
   damage("version: 1", "version: 2");
   expectRefused("its version is 2, this program reads version 1");
 }
 
 TEST_F(ModelFiles, ThatAreCutOffAreRefused) {
-  writeModelFile(path_, {"map", {known(test::doorModel()), known(test::drawerModel())}});
+  saveModelFile(path_, {"map", {learned(test::doorModel()), learned(test::drawerModel())}});
   const std::string whole = text();
   // Wherever the file ends: in the middle of a number, of a list, or after a whole line. The last byte alone is a newline.
   for (size_t size = 1; size < whole.size() - 8; size += 97) {
@@ -199,6 +158,15 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
   const std::pair<std::pair<const char*, const char*>, const char*> damages[] = {
       {{"type: rotational", "type: wobbly"}, "front 1: 'type' is no kind of joint"},
       {{"id: 3", "id: -3"}, "'id' is not a whole number"},
+      {{"id: 3", "id: 4294967295"}, "'id' is not a whole number from 0 to 4000000000"},
+      {{"number_of_observations: 20", "number_of_observations: 4294967295"}, "'number_of_observations' is not a whole number"},
+      {{"doubt: 0", "doubt: 1.5"}, "'doubt' is 1.5, expected 0 to 1"},
+      {{"stamp: 1", "stamp: -1"}, "'stamp' has the time -1795323255.250000, expected seconds from 0 to 4294967295"},
+      {{"stamp: 1", "stamp: 9"}, "'stamp' has the time 9795323255.250000"},
+      {{"stamp: 1795323255.25", "stamp: .inf"}, "'stamp' is missing or no finite number"},
+      {{"- [1795323253.350000", "- [-1.5"}, "'observations' has the time -1.5"},
+      {{"- [1795323253.350000", "- [1e12"}, "'observations' has the time 1000000000000"},
+      {{"- [1795323253.350000", "- [1795323254"}, "'observations' are not in the order of their times"},
       {{"width: 0.4", "width: -0.4"}, "'width' is -0.4, expected a length"},
       {{"q_max: 1.2", "q_max: .nan"}, "'q_max' is missing or no finite number"},
       {{"q_max: 1.2", "q_max: -1"}, "'q_min' is more than 'q_max'"},
@@ -211,12 +179,12 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
   };
   for (const auto& [change, words] : damages) {
     fs::remove(path_);
-    writeModelFile(path_, {"map", {known(test::doorModel())}});
+    saveModelFile(path_, {"map", {learned(test::doorModel())}});
     damage(change.first, change.second);
     expectRefused(words);
   }
   fs::remove(path_);
-  writeModelFile(path_, {"map", {known(test::doorModel()), known(test::doorModel())}});
+  saveModelFile(path_, {"map", {learned(test::doorModel()), learned(test::doorModel())}});
   expectRefused("front 2: its id is there twice");
   write("just some text");
   expectRefused("holds no models of this program");
@@ -227,11 +195,20 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
 TEST_F(ModelFiles, WhereNobodyCanWriteAreAnError) {
   EXPECT_THAT(
       [&] {
-        writeModelFile((folder_ / "missing" / "kitchen.yaml").string(), {"map", {}});
+        saveModelFile((folder_ / "missing" / "kitchen.yaml").string(), {"map", {}});
       },
       ThrowsMessage<ModelFileError>(HasSubstr("cannot be written: No such file or directory")));
   EXPECT_THAT([&] { readModelFile((folder_ / "missing.yaml").string()); },
               ThrowsMessage<ModelFileError>(HasSubstr("cannot be opened")));
+}
+
+TEST_F(ModelFiles, AreOrdinaryFilesAndNothingElseIsOpened) {
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  expectRefused("is no ordinary file");  // and does not wait for somebody to write
+  EXPECT_THAT([&] { saveModelFile(path_, {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is left as it is")));
+  EXPECT_TRUE(fs::is_fifo(path_));
+  EXPECT_THAT([&] { readModelFile(folder_.string()); }, ThrowsMessage<ModelFileError>(HasSubstr("is a folder")));
+  EXPECT_THAT([&] { saveModelFile("/dev/null", {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is no ordinary file")));
 }
 
 }  // namespace

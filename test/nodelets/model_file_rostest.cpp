@@ -6,6 +6,7 @@
 #include <cabinet_articulation/SaveModels.h>
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
+#include <std_srvs/Trigger.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -129,28 +130,87 @@ TEST_F(ModelFile, IsWrittenAtTheEndAndKnownAtTheStart) {
   EXPECT_NEAR(models->models[0].q, 0.3, 0.01);
 }
 
-TEST_F(ModelFile, ThatIsDamagedIsRefusedAndLeftAlone) {
+TEST_F(ModelFile, ThatIsDamagedIsRefusedWithoutALossAndKeptBesideTheNextOne) {
   ASSERT_TRUE(play(200));
   ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
-  const std::string half = text().substr(0, text().size() / 2);
-  std::ofstream(path_) << half;
+  std::string content = text();
+  // A time that no message holds, which is noticed before anything changes.
+  const size_t stamp = content.find("- [", content.find("observations:"));
+  std::ofstream(path_) << content.replace(stamp, content.find(',', stamp) - stamp, "- [-1.5");
+  const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
   const auto loaded = callWithFile<LoadModels>("load_models", "");
   EXPECT_FALSE(loaded.first);
-  EXPECT_TRUE(contains(loaded.second, path_)) << loaded.second;
+  EXPECT_TRUE(contains(loaded.second, path_) && contains(loaded.second, "has the time -1.5")) << loaded.second;
   EXPECT_TRUE(predict(tracks_[0].id, 0).success) << "what was known stays known";
+  observe(&tracks_[0], test::doorPose(1.4), 205);
+  EXPECT_TRUE(publish(205)) << "and learning goes on";
+  EXPECT_EQ(known.messages.size(), 1u) << "and the tracker heard nothing";
+  const std::string damaged = text();
+  const auto saved = callWithFile<SaveModels>("save_models", "");
+  EXPECT_TRUE(saved.first && contains(saved.second, "2 fronts saved") && contains(saved.second, "is kept as")) << saved.second;
+  std::ifstream kept(path_ + ".kept-1");
+  EXPECT_EQ(std::string((std::istreambuf_iterator<char>(kept)), {}), damaged);
   restart();
-  EXPECT_TRUE(spinUntil([&] { return reports_.logged(rosgraph_msgs::Log::ERROR, "is left as it is, and nothing is saved"); }));
-  EXPECT_EQ(text(), half);
+  EXPECT_TRUE(predict(tracks_[0].id, 0).success);
+}
+
+TEST_F(ModelFile, ThatIsDamagedAtTheStartIsToldUntilTheNextOneIsSaved) {
+  ASSERT_TRUE(play(250));
+  unloadNodelet();
+  const std::string half = text().substr(0, text().size() / 2);
+  std::ofstream(path_) << half;
+  loadNodelet();
+  ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
   for (core::Track& track : tracks_) track.observations.clear();
   ASSERT_TRUE(play(300)) << "works without";
   EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("articulation", "kitchen.yaml"); })) << reports_.status("articulation");
-  fs::remove(path_);
   ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
   double stamp = 400;
   EXPECT_TRUE(spinUntil([&] {
     publish(stamp += 0.1);
     return !reports_.statusHas("articulation", "kitchen.yaml");
   })) << "a trouble that is over is no longer told";
+}
+
+TEST_F(ModelFile, OfTheTimeWhenIdsBeganAtZeroIsRead) {
+  ASSERT_TRUE(play(500));
+  ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
+  std::string content = text();
+  const std::string id = "- id: " + std::to_string(tracks_[0].id);
+  std::ofstream(path_) << content.replace(content.find(id), id.size(), "- id: 0");
+  const auto loaded = callWithFile<LoadModels>("load_models", "");
+  const std::uint32_t next = tracks_[1].id + 1;
+  EXPECT_TRUE(loaded.first);
+  EXPECT_TRUE(contains(loaded.second, "front 0 of the file is front " + std::to_string(next) + " now")) << loaded.second;
+  EXPECT_TRUE(predict(next, 0.5).success);
+  EXPECT_FALSE(predict(0, 0.5).success);
+}
+
+TEST_F(ModelFile, IsMergedByPlaceAndWithoutWhatWasReset) {
+  ASSERT_TRUE(play(600));
+  ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
+  // A fresh run that knows only the drawer, by another number.
+  unloadNodelet();
+  nh_.setParam(kName + "/save_at_exit", false);
+  nh_.setParam(kName + "/models_file", "");
+  loadNodelet();
+  ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
+  const std::uint32_t door = tracks_[0].id, drawer = nextId();
+  tracks_ = {tracks_[1]};
+  tracks_[0].id = drawer;
+  for (core::TrackedObservation& observation : tracks_[0].observations) observation.stamp += 1000;
+  ASSERT_TRUE(publish(tracks_[0].observations.back().stamp));
+  const auto merged = callWithFile<SaveModels>("save_models", path_);
+  EXPECT_TRUE(merged.first && contains(merged.second, "2 fronts saved") && contains(merged.second, "1 of them as the file had"))
+      << merged.second;
+  EXPECT_TRUE(contains(text(), "- id: " + std::to_string(drawer) + "\n") && contains(text(), "- id: " + std::to_string(door) + "\n"));
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("/cabinet/reset", reset));
+  const auto after = callWithFile<SaveModels>("save_models", path_);
+  EXPECT_TRUE(after.first && contains(after.second, "1 fronts saved")) << after.second;
+  EXPECT_TRUE(contains(text(), "- id: " + std::to_string(door) + "\n")) << "this run never knew it";
+  EXPECT_FALSE(contains(text(), "- id: " + std::to_string(drawer) + "\n")) << "this run forgot it";
 }
 
 TEST_F(ModelFile, CanBeChosenAndMustFitTheFrame) {

@@ -149,9 +149,11 @@ TEST_F(Services, RefusalsSayWhy) {
 TEST_F(Services, KnowJointsAlsoAfterTheClockWasSetBack) {
   play(2000);
   const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
-  ASSERT_TRUE(spinUntil([&] { return known.connected(); }));
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); })) << "a tracker that comes hears of what is known";
+  generation_ = known.messages.back()->generation;
   send(1000);
-  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); })) << "the tracker hears of the joints, as after a restart";
+  ASSERT_TRUE(spinUntil([&] { return known.messages.back()->generation != generation_; }))
+      << "the tracker hears of the joints, as after a restart";
   const auto& fronts = known.messages.back()->tracks;
   const auto is_known = [&](int i) {
     return std::any_of(fronts.begin(), fronts.end(), [&](const Track& front) { return front.id == tracks_[i].id; });
@@ -182,11 +184,12 @@ TEST_F(Services, ResetForgetsEverythingAndTellsTheTracker) {
   play(600);
   ASSERT_TRUE(predict(tracks_[0].id, {0}).success);
   const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
-  ASSERT_TRUE(spinUntil([&] { return known.connected(); }));
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
+  generation_ = known.messages.back()->generation;
   const auto answer = call<std_srvs::Trigger>("reset", {});
   ASSERT_TRUE(answer.success) << answer.message;
   EXPECT_FALSE(predict(tracks_[0].id, {0}).success);
-  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
+  ASSERT_TRUE(spinUntil([&] { return known.messages.back()->generation != generation_; }));
   EXPECT_TRUE(known.messages.back()->tracks.empty());
   // What the tracker published before it heard of the reset is not learned from; what it publishes then is.
   const size_t before = models_.messages.size();
@@ -197,6 +200,26 @@ TEST_F(Services, ResetForgetsEverythingAndTellsTheTracker) {
   for (core::Track& track : tracks_) track.observations.clear();
   EXPECT_TRUE(play(800));
   EXPECT_TRUE(predict(tracks_[0].id, {0}).success);
+}
+
+TEST_F(Services, RemindATrackerThatDoesNotFollowAndDoNotWaitForEver) {
+  play(900);
+  const Recorder<KnownFrontArray> known("/cabinet/known_fronts");
+  ASSERT_TRUE(spinUntil([&] { return !known.messages.empty(); }));
+  generation_ = known.messages.back()->generation;
+  ASSERT_TRUE(call<std_srvs::Trigger>("reset", {}).success);
+  const size_t models = models_.messages.size();
+  test::Reports reports;
+  bool told = false;
+  double stamp = 910;
+  EXPECT_TRUE(spinUntil([&] {
+    send(stamp += 0.1);
+    test::spinFor(0.1);
+    told = told || reports.statusHas("articulation", "waits for the tracker to take over what is known");
+    return models_.messages.size() > models;
+  }));
+  EXPECT_TRUE(told);
+  EXPECT_GT(known.messages.size(), 2u) << "the greeting, the reset, and it again";
 }
 
 }  // namespace

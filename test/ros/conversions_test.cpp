@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
@@ -226,6 +227,17 @@ TEST(ModelConversion, RefusesAnUnknownType) {
   ArticulationModel message = toMessage(exampleModel(), "map");
   message.type = 17;
   EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "type is 17, expected less than 4");
+}
+
+TEST(StampConversion, NeverThrows) {
+  for (const double before : {-1.0, -1e300, std::nan("")}) EXPECT_EQ(toStamp(before), ros::Time(0));
+  for (const double after : {4294967296.0, 1e300}) EXPECT_EQ(toStamp(after), ros::TIME_MAX);
+  EXPECT_EQ(toStamp(ros::TIME_MAX.toSec()), ros::TIME_MAX);
+}
+
+TEST(StampConversion, DifferencesMayBeLongerThanADuration) {
+  EXPECT_NEAR(secondsBetween(ros::Time(0), ros::TIME_MAX), 4294967296.0, 1e-6);
+  EXPECT_EQ(secondsBetween(ros::Time(1795000000, 2), ros::Time(1795000000, 1)), -1e-9);
 }
 
 TEST(StampConversion, KeepsNanosecondsOfShortTimesAndAFractionOfAMicrosecondOfTodays) {

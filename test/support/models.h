@@ -30,6 +30,7 @@ inline core::LearnedModel doorModel() {
   model.id = 3;
   model.type = core::JointType::kRotational;
   model.moved = true;
+  model.support = 20;
   model.observations = 60;
   model.probabilities = {0.01, 0.02, 0.97, 0};
   model.origin = facingCamera(0.1, 0, 1.2);
@@ -49,6 +50,7 @@ inline core::LearnedModel drawerModel() {
   model.id = 4;
   model.type = core::JointType::kPrismatic;
   model.moved = true;
+  model.support = 20;
   model.observations = 60;
   model.probabilities = {0, 0.99, 0.01, 0};
   model.origin = facingCamera(0.1, 0.3, 1.3);
@@ -66,6 +68,7 @@ inline core::LearnedModel garageModel() {
   model.id = 6;
   model.type = core::JointType::kNonparametric;
   model.moved = true;
+  model.support = 20;
   model.observations = 60;
   model.probabilities = {0, 0, 0.02, 0.98};
   model.width = 0.8;
@@ -88,6 +91,7 @@ inline core::LearnedModel unexplainedModel() {
   core::LearnedModel model = restingModel();
   model.id = 5;
   model.moved = true;
+  model.support = 20;
   model.explained = false;
   return model;
 }

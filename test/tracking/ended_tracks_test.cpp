@@ -27,7 +27,7 @@ class LostDrawer : public testing::Test {
   void expectBack(const Rectangle& front) {
     tracker_.process(kLong + kFrame, {detect_(front)});
     ASSERT_EQ(tracker_.tracks().size(), 1u);
-    EXPECT_EQ(tracker_.tracks()[0].id, 0u);
+    EXPECT_EQ(tracker_.tracks()[0].id, 1u);
     EXPECT_EQ(tracker_.tracks()[0].observations.size(), 42u) << "its history is back, too";
     EXPECT_LT(cornerError(tracker_.tracks()[0].observations.back().rectangle, front), 0.02);
   }
@@ -35,7 +35,7 @@ class LostDrawer : public testing::Test {
   void expectNew(const Rectangle& front) {
     tracker_.process(kLong + kFrame, {detect_.fromFront(front)});
     ASSERT_EQ(tracker_.tracks().size(), 1u);
-    EXPECT_EQ(tracker_.tracks()[0].id, 1u);
+    EXPECT_EQ(tracker_.tracks()[0].id, 2u);
     EXPECT_EQ(tracker_.tracks()[0].observations.size(), 1u);
   }
 
@@ -62,7 +62,7 @@ TEST_F(LostDrawer, ComesBackAfterAFirstGlimpseThatWasTooBadToRecogniseIt) {
   expectNew(glimpse);
   for (int i = 2; i <= 4; ++i) tracker_.process(kLong + i * kFrame, {detect_(pulled(drawer(), 0.01 * i))});
   ASSERT_EQ(tracker_.tracks().size(), 1u);
-  EXPECT_EQ(tracker_.tracks()[0].id, 0u);
+  EXPECT_EQ(tracker_.tracks()[0].id, 1u);
   EXPECT_EQ(tracker_.tracks()[0].observations.size(), 44u) << "all but the glimpse";
 }
 
@@ -71,16 +71,16 @@ TEST_F(LostDrawer, OnlyOneRectangleGetsTheId) {
   const auto neighbour = detect_.fromFront(pulled(drawer(0.395), 0.05));
   tracker_.process(kLong + kFrame, {neighbour, back});
   ASSERT_EQ(tracker_.tracks().size(), 2u);
-  EXPECT_EQ(tracker_.tracks()[0].id, 0u);
+  EXPECT_EQ(tracker_.tracks()[0].id, 1u);
   EXPECT_LT(cornerError(tracker_.tracks()[0].observations.back().rectangle, pulled(drawer(), 0.05)), 0.02);
-  EXPECT_EQ(tracker_.tracks()[1].id, 1u);
+  EXPECT_EQ(tracker_.tracks()[1].id, 2u);
 }
 
 TEST_F(LostDrawer, MayBeLostAgain) {
   for (int lost = 1; lost <= 5; ++lost) {
     for (int i = 0; i < 3; ++i) tracker_.process(kLong * (1 + lost) + i * kFrame, {detect_(pulled(drawer(), 0.05 * lost))});
     ASSERT_EQ(tracker_.tracks().size(), 1u);
-    EXPECT_EQ(tracker_.tracks()[0].id, 0u);
+    EXPECT_EQ(tracker_.tracks()[0].id, 1u);
     tracker_.process(kLong * (1.5 + lost), {});
   }
 }
@@ -90,26 +90,11 @@ TEST_F(LostDrawer, ResetForgetsItForGood) {
   expectNew(drawer());
 }
 
-TEST(EndedTracks, FrontsOfAnEarlierRunAreKnownWhateverItsClockSaid) {
-  NoisyDetector detect(1);
-  RectangleTracker yesterday{TrackingConfig()};
-  yesterday.process(99, {detect.fromFront(closedFront(1.5, 0.5, 0.5))});
-  for (int i = 0; i <= 20; ++i)
-    yesterday.process(100 + i * kFrame,
-                      {detect.fromFront(pulled(drawer(), 0.2 * i / 20)), detect.fromFront(closedFront(1.5, 0.5, 0.5))});
-  ASSERT_EQ(yesterday.tracks().size(), 2u);
-  for (const double now : {5.0, 101.0, 1e6}) {
-    RectangleTracker today{TrackingConfig()};
-    today.remember(yesterday.tracks(), now);
-    EXPECT_TRUE(today.tracks().empty()) << "not seen yet";
-    today.process(now, {detect.fromFront(closedFront(-1.5, 0.3, 0.3)), detect(pulled(drawer(), 0.1))});
-    ASSERT_EQ(today.tracks().size(), 2u);
-    EXPECT_EQ(today.tracks()[0].id, 1u) << "its old id";
-    EXPECT_EQ(today.tracks()[0].observations.size(), 22u) << "its old history";
-    EXPECT_EQ(today.tracks()[1].id, 2u) << "a new front gets none of the old ids";
-    for (size_t i = 1; i < 22; ++i)
-      EXPECT_GT(today.tracks()[0].observations[i].stamp, today.tracks()[0].observations[i - 1].stamp);
-  }
+TEST_F(LostDrawer, IsForgottenAlone) {
+  EXPECT_FALSE(tracker_.forget(99));
+  EXPECT_TRUE(tracker_.forget(1));
+  EXPECT_FALSE(tracker_.forget(1));
+  expectNew(drawer());
 }
 
 TEST(EndedTracks, ADoorComesBackAtAnyAngle) {
@@ -120,7 +105,7 @@ TEST(EndedTracks, ADoorComesBackAtAnyAngle) {
     tracker.process(kLong, {});
     tracker.process(kLong + kFrame, {detect(swung(closedFront(), q))});
     ASSERT_EQ(tracker.tracks().size(), 1u) << q;
-    EXPECT_EQ(tracker.tracks()[0].id, 0u) << q;
+    EXPECT_EQ(tracker.tracks()[0].id, 1u) << q;
   }
 }
 
@@ -134,17 +119,6 @@ Track trackOf(std::uint32_t id, double x, double pull, int observations) {
         {i * kFrame, seen.rectangle, seen.covariance, seen.edge_support, seen.rectangle, seen.covariance});
   }
   return track;
-}
-
-TrackMemory memoryOf(const Track& track, const TrackingConfig& config) {
-  TrackMemory memory{FrontSize(config)};
-  for (const TrackedObservation& observation : track.observations) {
-    DetectedRectangle seen;
-    seen.rectangle = observation.measured;
-    seen.edge_support = observation.edge_support;
-    memory.size.add(seen);
-  }
-  return memory;
 }
 
 TEST(EndedTracks, ForgetsThoseThatMovedLeastAndThinsTheRest) {

@@ -48,7 +48,7 @@ TEST(RectangleTracker, ADrawerKeepsItsIdThroughGapsAndAFastReclosing) {
                                        : std::vector<DetectedRectangle>{detect.fromFront(drawer(i * kFrame))});
   }
   ASSERT_EQ(tracker.tracks().size(), 1u);
-  EXPECT_EQ(tracker.tracks()[0].id, 0u);
+  EXPECT_EQ(tracker.tracks()[0].id, 1u);
   EXPECT_LT(largestError(tracker.tracks()[0], drawer), 0.02);
 }
 

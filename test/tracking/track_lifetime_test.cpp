@@ -35,7 +35,7 @@ TEST(TrackLifetime, ClutterEndsFastAndFrontsAfterTheTimeout) {
   EXPECT_EQ(tracker.expected().size(), 1u) << "only the confirmed one";
   tracker.process(1.5, {});
   ASSERT_EQ(tracker.tracks().size(), 1u);
-  EXPECT_EQ(tracker.tracks()[0].id, 0u);
+  EXPECT_EQ(tracker.tracks()[0].id, 1u);
   tracker.process(20.3, {});
   EXPECT_EQ(tracker.tracks().size(), 1u);
   tracker.process(20.4, {});
@@ -43,7 +43,7 @@ TEST(TrackLifetime, ClutterEndsFastAndFrontsAfterTheTimeout) {
   tracker.reset();
   tracker.process(0, {detect(closedFront())});
   ASSERT_EQ(tracker.tracks().size(), 1u);
-  EXPECT_EQ(tracker.tracks()[0].id, 2u) << "an id is never used twice";
+  EXPECT_EQ(tracker.tracks()[0].id, 3u) << "an id is never used twice";
 }
 
 TEST(TrackLifetime, WhatFlickersEnds) {
@@ -55,12 +55,12 @@ TEST(TrackLifetime, WhatFlickersEnds) {
     if (i % 4 == 0) seen.push_back(detect(closedFront(1, 0.3, 0.1)));
     if (i % 3 != 0) seen.push_back(detect(closedFront(2, 0.3, 0.4)));
     tracker.process(i * kFrame, seen);
-    ASSERT_EQ(tracker.tracks()[0].id, 0u);
+    ASSERT_EQ(tracker.tracks()[0].id, 1u);
     newest = std::max(newest, tracker.tracks().back().id);
     for (const Track& track : tracker.tracks())
-      EXPECT_TRUE(track.id == 0 || track.width * track.height > 0.05 || track.observations.size() <= 6) << i;
+      EXPECT_TRUE(track.id == 1 || track.width * track.height > 0.05 || track.observations.size() <= 6) << i;
   }
-  EXPECT_GT(newest, 3u) << "the flickering piece got several short tracks, the one seen in two frames of three only one";
+  EXPECT_GT(newest, 4u) << "the flickering piece got several short tracks, the one seen in two frames of three only one";
   EXPECT_EQ(std::count_if(tracker.tracks().begin(), tracker.tracks().end(),
                           [](const Track& track) { return track.observations.size() == 60; }),
             1);
@@ -77,7 +77,7 @@ TEST(TrackLifetime, AFrontThatIsMissedNowAndThenKeepsItsId) {
       tracker.process(i * kFrame,
                       missed ? std::vector<DetectedRectangle>() : std::vector<DetectedRectangle>{detect(closedFront())});
     }
-    kept += tracker.tracks().size() == 1 && tracker.tracks()[0].id == 0;
+    kept += tracker.tracks().size() == 1 && tracker.tracks()[0].id == 1;
   }
   EXPECT_GE(kept, 95) << "of 100; to see three of the first eight frames only happens to one in a hundred";
 }
@@ -92,7 +92,7 @@ TEST(TrackLifetime, AHandInFrontOfAYoungTrackIsNoFlicker) {
                       seen ? std::vector<DetectedRectangle>{detect(closedFront())} : std::vector<DetectedRectangle>());
     }
     ASSERT_EQ(tracker.tracks().size(), 1u) << hidden;
-    EXPECT_EQ(tracker.tracks()[0].id, 0u) << hidden;
+    EXPECT_EQ(tracker.tracks()[0].id, 1u) << hidden;
   }
 }
 

@@ -69,6 +69,7 @@ class FrontLearner {
   std::vector<Candidate> candidates_;
   Selection selection_;
   JointEvidence evidence_;
+  bool distrusts_past_ = false;        ///< the observations that are there at first led to a joint that was given up
   bool doubted_ = false;               ///< the joint was compared again since poses began to contradict it
   std::optional<LearnedModel> joint_;  ///< as it was found last
   LearnedModel learned_;

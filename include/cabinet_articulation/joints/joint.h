@@ -14,8 +14,14 @@ class ModelError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// True for a front that moved in a way that one of the models describes.
+/// True for a front that moved in a way that one of the models describes, and is not doubted too much.
 bool isJoint(const LearnedModel& model);
+
+/// True for a model that as many observations contradict as support (LearnedModel::doubt).
+bool isGivenUp(const LearnedModel& model);
+
+/// True for what is a joint, or would be if it were not given up.
+bool wasJoint(const LearnedModel& model);
 
 /// Throws ModelError, with the reason in words, unless isJoint().
 void requireJoint(const LearnedModel& model);

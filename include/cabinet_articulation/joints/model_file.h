@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cabinet_articulation/joints/front_merge.h"
 #include "cabinet_articulation/joints/known_fronts.h"
 
 namespace cabinet_articulation::core {
@@ -18,14 +19,39 @@ class ModelFileError : public std::runtime_error {
 struct ModelFile {
   std::string frame;  ///< of all poses
   std::vector<KnownFront> fronts;
+  std::vector<IdChange> changes = {};  ///< of a file that gives a front the id 0, which is nobody's
 };
 
-/// Writes YAML, as a whole or not at all: whoever reads the file finds the old or the new one, even after a power cut.
-/// Throws ModelFileError; also if there is a file that readModelFile() refuses or whose models are in another frame, which is
-/// then left as it is.
-void writeModelFile(const std::string& path, const ModelFile& models);
+/// How saving went.
+struct SavedModels {
+  std::size_t fronts = 0;         ///< that the file holds now
+  std::size_t from_file = 0;      ///< so many of them are as the file had them
+  std::vector<IdChange> changes;  ///< of the file's fronts
+  std::vector<IdChange> known_changes = {};  ///< of those whose ids a file cannot hold
+  std::string kept = {};               ///< why the file that was there could not be merged, and where it is; or empty
 
-/// Throws ModelFileError for a file that is missing, damaged, cut off or of another version.
+  /// "3 fronts saved to 'FILE', 1 of them ...".
+  std::string inWords(const std::string& file) const;
+};
+
+/*
+ * Files are written as a whole or not at all: whoever reads one finds the old or the new one, even after a power cut, and the
+ * file keeps its owner and mode. Links are followed, and stay links. Reading, merging and writing are one transaction: others
+ * that save to a file of the same folder wait for up to 20 s, in this process or another (flock on the folder, which ends with
+ * a process that dies). What a saver that died has left behind is cleared away by the next.
+ */
+
+/// Merges the models into what the file holds (mergeFronts), without what was `removed`. A model file that cannot be merged,
+/// because it is damaged, of another version or in another frame, is kept beside the new one as FILE.kept-1 (or the next
+/// number that is free, up to 100). Throws ModelFileError; also for what is there and is no model file, and stays as it is.
+SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<LearnedModel>& removed = {});
+
+/// Takes the fronts of these places from the file, and returns how many there were. A file that is missing or in another frame
+/// has none of them. Throws ModelFileError.
+std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<LearnedModel>& removed);
+
+/// Throws ModelFileError for a file that is missing, damaged, cut off, of another version or no ordinary file. Everything is
+/// checked, stamps too: what is returned can be used.
 ModelFile readModelFile(const std::string& path);
 
 }  // namespace cabinet_articulation::core

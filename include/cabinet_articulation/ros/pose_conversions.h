@@ -26,7 +26,11 @@ Eigen::Vector3d fromMessage(const geometry_msgs::Vector3& v);
 core::Matrix6d fromMessage(const boost::array<double, 36>& covariance);
 
 /// Seconds of the core to a stamp, rounded to nanoseconds. Today's times keep 0.2 microseconds in a double: compare
-/// stamps that went through the core with a tolerance, and take a frame's own stamp from its header.
+/// stamps that went through the core with a tolerance, and take a frame's own stamp from its header. Never throws: what a
+/// stamp cannot hold becomes its first or last one.
 ros::Time toStamp(double seconds);
+
+/// [s], to the nanosecond, also where it is more than ros::Duration holds (68 years).
+double secondsBetween(const ros::Time& earlier, const ros::Time& later);
 
 }  // namespace cabinet_articulation

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "cabinet_articulation/tracking/front_size.h"
 #include "cabinet_articulation/tracking/track.h"
+#include "cabinet_articulation/tracking/track_memory.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
 namespace cabinet_articulation::core {
@@ -16,9 +16,9 @@ struct Continuation {
   KnownPlace reference;        ///< the place it continues from
 };
 
-/// The nearest way in which `detection` at `stamp` [s] continues the track, or nothing. A track continues from where it
+/// The nearest way in which `detection` at `stamp` [s] continues the track and what is remembered of it, or nothing. A track continues from where it
 /// was last seen, from where its motion has brought it since, or (after a gap) from where it has been before.
-std::optional<Continuation> findContinuation(const Track& track, const FrontSize& size, const DetectedRectangle& detection,
+std::optional<Continuation> findContinuation(const Track& track, const TrackMemory& memory, const DetectedRectangle& detection,
                                              double stamp, const TrackingConfig& config);
 
 }  // namespace cabinet_articulation::core

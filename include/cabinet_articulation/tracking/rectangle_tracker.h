@@ -38,13 +38,28 @@ class RectangleTracker {
   std::vector<Rectangle> expected() const { return expected(last_stamp_); }
 
   /// Fronts of an earlier run, or of another tracker: like those whose tracks ended, they get their ids and histories back
-  /// when they return. They count as seen before `stamp` [s], whatever their own stamps say (clocks may be set back).
-  void remember(std::vector<Track> fronts, double stamp);
+  /// when they return. They count as seen long ago, whatever their stamps say: clocks may be set back. Their stamps stay as
+  /// they are until they return; a history that would then not be over yet is put before that (placeBefore). Ids that are
+  /// known already, 0 and ids above kLargestId are ignored.
+  void remember(std::vector<Track> fronts);
+
+  /// All that remember() of another tracker needs: the live tracks, and those that ended.
+  std::vector<Track> knownTracks() const;
+
+  /// Ends one track, live or not, and does not give its id back; all others go on. If it is still in view, it is a new front.
+  /// False if there is none with this id.
+  bool forget(std::uint32_t id);
+
+  /// New fronts get ids from `id` on, or from where they are anyway.
+  void useIdsFrom(std::uint32_t id);
+  std::uint32_t nextId() const { return next_id_; }
 
   /// Forgets all tracks; ids go on counting, so that an id never means two fronts.
   void reset();
 
  private:
+  bool isKnown(std::uint32_t id) const;
+  std::uint32_t takeId();
   bool flickers(const TrackMemory& memory) const;
   void endTracks(double stamp);
   void append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const;
@@ -59,7 +74,7 @@ class RectangleTracker {
   RememberedTracks live_;
   EndedTracks ended_;
   double last_stamp_;
-  std::uint32_t next_id_ = 0;
+  std::uint32_t next_id_ = 1;  ///< 0 is nobody; after the last one of 32 bits it begins anew with what is free
 };
 
 }  // namespace cabinet_articulation::core

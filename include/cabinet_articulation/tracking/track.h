@@ -19,6 +19,9 @@ struct TrackedObservation {
   Matrix6d measured_covariance = Matrix6d::Zero();  ///< of `measured`
 };
 
+/// Ids of known fronts are 1 to this; 0 is nobody. The rest of 32 bits is room for the fronts that are found from there on.
+constexpr std::uint32_t kLargestId = 4000000000U;
+
 /// The history of one physical front (paper III-C), oldest observation first.
 struct Track {
   std::uint32_t id = 0;

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/joints/front_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/rectangle.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+// Beside the tracker's tolerances: a map may lie elsewhere by some centimetres a day later (ours).
+constexpr double kPlaceTolerance = 0.05;  // [m]
+constexpr double kLargestShift = 0.4;     // of a side: an equal neighbour is at least one side away
+constexpr double kAngleTolerance = 0.39;  // [rad]
+constexpr double kSizeTolerance = 0.05;   // [m]
+constexpr int kPlaces = 9;                // along what was seen of a way
+// Identity of a history's first observation, which is never thinned out, but placed anew when the size is known better.
+constexpr double kSameStamp = 1e-5;  // [s]
+constexpr double kSamePoint = 0.05;  // [m]
+
+double beyondSeen(const LearnedModel& model) { return modelEntry(model.type).unit == ConfigurationUnit::kRadian ? 0.3 : 0.1; }
+
+Rectangle placeAt(const LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
+
+bool isAlike(double a, double b) { return a <= 0 || b <= 0 || std::abs(a - b) <= kSizeTolerance; }
+
+std::optional<double> distanceBetween(const Rectangle& a, const Rectangle& b) {
+  const Rectangle aligned = alignDescription(a, b, false);
+  if (angleBetween(aligned.pose, b.pose) > kAngleTolerance) return std::nullopt;
+  if (!isAlike(aligned.width, b.width) || !isAlike(aligned.height, b.height)) return std::nullopt;
+  double tolerance = kPlaceTolerance;
+  for (const double side : {a.width, a.height, b.width, b.height})
+    if (side > 0) tolerance = std::min(tolerance, kLargestShift * side);
+  const double distance = (a.center() - b.center()).norm();
+  return distance <= tolerance ? std::optional<double>(distance) : std::nullopt;
+}
+
+/// From where `seen` was to the way of the other.
+std::optional<double> distanceToWay(const LearnedModel& seen, const LearnedModel& way) {
+  std::optional<double> best;
+  for (int i = 0; i < kPlaces; ++i) {
+    const Rectangle place = placeAt(seen, seen.q_min + (seen.q_max - seen.q_min) * i / (kPlaces - 1));
+    const double q =
+        std::clamp(way.configuration(place.pose), way.q_min - beyondSeen(way), way.q_max + beyondSeen(way));
+    const std::optional<double> distance = distanceBetween(place, placeAt(way, q));
+    if (distance && (!best || *distance < *best)) best = distance;
+  }
+  return best;
+}
+
+/// Whether `known` was learned from the file's observations, too.
+bool continues(const KnownFront& known, const KnownFront& file) {
+  const auto &now = known.track.observations, &before = file.track.observations;
+  if (now.empty() || before.empty()) return false;
+  return std::abs(now.front().stamp - before.front().stamp) < kSameStamp &&
+         (now.front().rectangle.center() - before.front().rectangle.center()).norm() < kSamePoint &&
+         now.back().stamp > before.back().stamp - kSameStamp;
+}
+
+bool isMuchPoorer(const KnownFront& known, const KnownFront& file) {
+  if (continues(known, file)) return false;
+  if (isGivenUp(known.model) != isGivenUp(file.model)) return isGivenUp(known.model);
+  return 2 * std::min(known.model.observations, kKeptObservations) < std::min(file.model.observations, kKeptObservations);
+}
+
+void setId(std::uint32_t id, KnownFront* front) { front->model.id = front->track.id = id; }
+
+/// For every known front the file's one of the same place, or -1; the nearest pairs first, and those of one id before.
+std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<KnownFront>& file) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    for (std::size_t j = 0; j < file.size(); ++j) {
+      const std::optional<double> distance = samePlace(known[i].model, file[j].model);
+      if (distance) pairs.emplace_back(known[i].model.id == file[j].model.id ? -1 : *distance, i, j);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<int> partner(known.size(), -1);
+  std::vector<bool> taken(file.size(), false);
+  for (const auto& [distance, i, j] : pairs) {
+    if (partner[i] >= 0 || taken[j]) continue;
+    partner[i] = static_cast<int>(j);
+    taken[j] = true;
+  }
+  return partner;
+}
+
+}  // namespace
+
+std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b) {
+  const std::optional<double> forth = distanceToWay(a, b), back = distanceToWay(b, a);
+  if (!forth || !back) return forth ? forth : back;
+  return std::min(*forth, *back);
+}
+
+std::string inWords(const std::vector<IdChange>& changes) {
+  std::string text;
+  for (const IdChange& change : changes)
+    text += (text.empty() ? "front " : ", front ") + std::to_string(change.from) + " of the file is front " +
+            std::to_string(change.to) + " now";
+  return text;
+}
+
+std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<std::uint32_t>* taken) {
+  std::set<std::uint32_t> ids(taken->begin(), taken->end());
+  std::vector<KnownFront*> without;
+  for (KnownFront& front : *fronts)
+    if (front.model.id == 0 || front.model.id > kLargestId || !ids.insert(front.model.id).second) without.push_back(&front);
+  std::vector<IdChange> changes;
+  for (KnownFront* front : without) {
+    std::uint32_t id = ids.empty() ? 1 : *ids.rbegin() + 1;
+    if (id > kLargestId)
+      for (id = 1; ids.count(id) > 0;) ++id;
+    changes.push_back({front->model.id, id});
+    setId(id, front);
+    ids.insert(id);
+  }
+  taken->assign(ids.begin(), ids.end());
+  return changes;
+}
+
+MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed) {
+  const auto is_removed = [&](const KnownFront& front) {
+    return std::any_of(removed.begin(), removed.end(),
+                       [&](const LearnedModel& model) { return samePlace(model, front.model).has_value(); });
+  };
+  file.erase(std::remove_if(file.begin(), file.end(), is_removed), file.end());
+  MergedFronts merged;
+  std::vector<std::uint32_t> taken;
+  merged.known_changes = giveFreeIds(&known, &taken);
+  const std::vector<int> partner = pairUp(known, file);
+  std::vector<bool> paired(file.size(), false);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (partner[i] < 0) continue;
+    KnownFront& other = file[static_cast<std::size_t>(partner[i])];
+    paired[static_cast<std::size_t>(partner[i])] = true;
+    if (!isMuchPoorer(known[i], other)) continue;
+    const std::uint32_t id = known[i].model.id;
+    known[i] = std::move(other);
+    setId(id, &known[i]);
+    ++merged.from_file;
+  }
+  std::vector<KnownFront> others;
+  for (std::size_t j = 0; j < file.size(); ++j)
+    if (!paired[j]) others.push_back(std::move(file[j]));
+  merged.changes = giveFreeIds(&others, &taken);
+  merged.from_file += others.size();
+  merged.fronts = std::move(known);
+  std::move(others.begin(), others.end(), std::back_inserter(merged.fronts));
+  std::sort(merged.fronts.begin(), merged.fronts.end(),
+            [](const KnownFront& a, const KnownFront& b) { return a.model.id < b.model.id; });
+  return merged;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_text.h"
+
+#include <set>
+#include <stdexcept>
+
+#include "cabinet_articulation/tracking/history.h"
+#include "model_file_fields.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr char kTitle[] = "# Doors and drawers that were learned.";
+constexpr char kFormat[] = "cabinet_articulation models";
+constexpr char kEnd[] = "complete";  ///< the last key, so that a file that was cut off is noticed
+constexpr int kVersion = 1;
+
+void checkHead(const YAML::Node& root) {
+  if (!root.IsMap() || !root["format"] || !root["format"].IsScalar() || root["format"].Scalar() != kFormat)
+    throw std::runtime_error("holds no models of this program");
+  const std::string version = root["version"] && root["version"].IsScalar() ? root["version"].Scalar() : "missing";
+  if (version != std::to_string(kVersion))
+    throw std::runtime_error("its version is " + version + ", this program reads version " + std::to_string(kVersion));
+  if (!root[kEnd]) throw std::runtime_error("is cut off: its last line is missing");
+  if (!root["frame"] || !root["frame"].IsScalar() || !root["fronts"] || !root["fronts"].IsSequence())
+    throw std::runtime_error("'frame' or 'fronts' is missing");
+}
+
+}  // namespace
+
+std::string toText(const ModelFile& models) {
+  YAML::Node root;
+  root["format"] = kFormat;
+  root["version"] = kVersion;
+  root["frame"] = models.frame;
+  root["fronts"] = YAML::Node(YAML::NodeType::Sequence);
+  for (KnownFront front : models.fronts) {
+    while (thinOut(front.track.observations, kKeptObservations)) continue;
+    root["fronts"].push_back(toYaml(front));
+  }
+  root[kEnd] = true;
+  YAML::Emitter emitter;
+  emitter << root;
+  return std::string(kTitle) + " Metres and radians; poses are x y z qx qy qz qw.\n" + emitter.c_str() + "\n";
+}
+
+ModelFile modelsFromText(const std::string& text) {
+  const YAML::Node root = YAML::Load(text);
+  checkHead(root);
+  ModelFile models;
+  models.frame = root["frame"].Scalar();
+  std::set<std::uint32_t> ids;
+  for (std::size_t i = 0; i < root["fronts"].size(); ++i) {
+    try {
+      models.fronts.push_back(frontFromYaml(root["fronts"][i]));
+      if (!ids.insert(models.fronts.back().model.id).second) throw std::runtime_error("its id is there twice");
+    } catch (const std::exception& error) {
+      throw std::runtime_error("front " + std::to_string(i + 1) + ": " + error.what());
+    }
+  }
+  std::vector<std::uint32_t> taken;
+  models.changes = giveFreeIds(&models.fronts, &taken);
+  return models;
+}
+
+bool wasModelFile(const std::string& text) {
+  return text.rfind(kTitle, 0) == 0 || text.find("format: " + std::string(kFormat) + "\n") != std::string::npos;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_store.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "cabinet_articulation/ros/conversions.h"
+
+namespace cabinet_articulation {
+namespace {
+
+std::uint32_t idAfter(std::uint32_t id) { return id == std::numeric_limits<std::uint32_t>::max() ? id : id + 1; }
+
+std::vector<core::LearnedModel> usableJoints(const std::vector<core::KnownFront>& fronts) {
+  std::vector<core::LearnedModel> joints;
+  for (const core::KnownFront& front : fronts)
+    if (core::isJoint(front.model)) joints.push_back(front.model);
+  return joints;
+}
+
+}  // namespace
+
+ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner)
+    : nh_(std::move(nh)), file_(file), learner_(std::move(learner)) {
+  if (file_.save_at_exit && file_.models_file.empty())
+    throw core::ConfigError("save_at_exit is true, and models_file does not say where to save");
+  known_fronts_ = nh_.advertise<KnownFrontArray>("known_fronts", 1, [this](const auto& subscriber) { greet(subscriber); });
+}
+
+/// A tracker that is started later, or again, hears of what is known by then, and which ids are used up.
+void ModelStore::greet(const ros::SingleSubscriberPublisher& subscriber) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (generation_ != 0 || next_id_ != 0) subscriber.publish(listOf({frame_id_, known_.joints()}));
+}
+
+std::string ModelStore::loadAtStart() {
+  if (file_.models_file.empty()) return "";
+  std::error_code error;
+  if (!std::filesystem::exists(file_.models_file, error) && !error)
+    return "model file '" + file_.models_file + "' is not there yet";
+  return load(file_.models_file);
+}
+
+std::string ModelStore::load(const std::string& file) {
+  const core::ModelFile models = core::readModelFile(file);
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (!frame_id_.empty() && models.frame != frame_id_ && !models.fronts.empty())
+      throw core::ModelFileError("model file '" + file + "': its poses are in the frame '" + models.frame + "', tracks in '" +
+                                 frame_id_ + "'; nothing is loaded");
+  }
+  startFrom(models);
+  file_was_good_ = true;
+  const std::string changes = core::inWords(models.changes);
+  return std::to_string(models.fronts.size()) + " fronts loaded from '" + file + "'" +
+         (changes.empty() ? "" : "; " + changes + ", for 0 is nobody's id");
+}
+
+std::string ModelStore::save(const std::string& file) {
+  std::lock_guard<std::mutex> filing(filing_);
+  core::ModelFile models;
+  std::vector<core::LearnedModel> removed;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    models = {frame_id_, known_.joints()};
+    removed = removed_.in(file);
+  }
+  const core::SavedModels saved = core::saveModelFile(file, models, removed);
+  file_was_good_ = true;
+  std::lock_guard<std::mutex> lock(mutex_);
+  removed_.saved(file, models.fronts);
+  return saved.inWords(file);
+}
+
+std::string ModelStore::saveAtExit() {
+  if (!file_.save_at_exit) return "";
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (known_.jointModels().empty() && removed_.empty()) return "nothing was learned that could be saved";
+  }
+  return save(file_.models_file);
+}
+
+std::string ModelStore::forget(std::uint32_t id) {
+  std::lock_guard<std::mutex> filing(filing_);
+  core::LearnedModel model;
+  std::string frame;
+  {
+    std::lock_guard<std::mutex> learning(learning_);
+    std::lock_guard<std::mutex> lock(mutex_);
+    model = known_.forget(id);
+    frame = frame_id_;
+    learner_.forget(id);
+    removed_.add(model);
+    forgotten_.insert(id);
+    known_fronts_.publish(listOf({frame_id_, known_.joints()}));
+  }
+  const std::string text = "front " + std::to_string(id) + " is forgotten";
+  if (file_.models_file.empty()) return text;
+  try {
+    const std::size_t gone = core::removeFromModelFile(file_.models_file, frame, {model});
+    return text + (gone > 0 ? " and taken from '" : "; it was not in '") + file_.models_file + "'";
+  } catch (const core::ModelFileError& error) {
+    return text + ", but may still be in the file: " + error.what();
+  }
+}
+
+void ModelStore::reset() {
+  std::lock_guard<std::mutex> filing(filing_);
+  std::lock_guard<std::mutex> learning(learning_);
+  std::lock_guard<std::mutex> lock(mutex_);
+  for (const core::LearnedModel& model : known_.jointModels()) removed_.add(model);
+  restart({frame_id_, {}});
+}
+
+GenerationWatch::Verdict ModelStore::judge(const TrackArray& tracks) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const GenerationWatch::Verdict verdict =
+      watch_.judge(tracks.generation, known_fronts_.getNumSubscribers() > 0, ros::SteadyTime::now().toSec());
+  if (verdict.send_again) known_fronts_.publish(listOf({frame_id_, known_.joints()}));
+  return verdict;
+}
+
+std::string ModelStore::followFrame(const std::string& frame_id) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const std::string before = frame_id_;
+  frame_id_ = frame_id;
+  if (before.empty() || before == frame_id) return "";
+  removed_.clear();
+  restart({frame_id, {}});
+  return "what was known is in the frame '" + before + "' and tracks are in '" + frame_id +
+         "', so it is forgotten; see fixed_frame";
+}
+
+void ModelStore::dropForgotten(std::vector<core::Track>* tracks) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const auto is_forgotten = [this](const core::Track& track) { return forgotten_.count(track.id) > 0; };
+  tracks->erase(std::remove_if(tracks->begin(), tracks->end(), is_forgotten), tracks->end());
+}
+
+void ModelStore::update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  for (const core::Track& track : tracks) next_id_ = std::max(next_id_, idAfter(track.id));
+  known_.update(std::move(tracks), models);
+}
+
+core::LearnedModel ModelStore::modelOf(std::uint32_t id, std::string* frame_id) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  *frame_id = frame_id_;
+  return known_.at(id);
+}
+
+std::vector<core::LearnedModel> ModelStore::jointModels(std::string* frame_id) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (frame_id != nullptr) *frame_id = frame_id_;
+  return known_.jointModels();
+}
+
+void ModelStore::startAfresh() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  restart({frame_id_, known_.joints()});
+}
+
+void ModelStore::startFrom(const core::ModelFile& models) {
+  std::lock_guard<std::mutex> learning(learning_);
+  std::lock_guard<std::mutex> lock(mutex_);
+  removed_.loaded(models.fronts);
+  restart(models);
+}
+
+void ModelStore::restart(const core::ModelFile& models) {
+  for (const core::KnownFront& front : models.fronts) {
+    next_id_ = std::max(next_id_, idAfter(front.model.id));
+    forgotten_.erase(front.model.id);
+  }
+  learner_.start_from(usableJoints(models.fronts));
+  known_.replace(models.fronts);
+  if (!models.fronts.empty()) frame_id_ = models.frame;
+  // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.
+  generation_ = std::max(generation_ + 1, ros::WallTime::now().sec);
+  watch_.expect(generation_);
+  known_fronts_.publish(listOf({frame_id_, models.fronts}));
+}
+
+KnownFrontArray ModelStore::listOf(const core::ModelFile& models) const {
+  KnownFrontArray message;
+  message.header.frame_id = models.frame;
+  message.generation = generation_;
+  message.next_id = next_id_;
+  message.forgotten.assign(forgotten_.begin(), forgotten_.end());
+  for (const core::KnownFront& front : models.fronts) message.tracks.push_back(toMessage(front.track, models.frame));
+  return message;
+}
+
+}  // namespace cabinet_articulation

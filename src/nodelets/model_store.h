@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cabinet_articulation/KnownFrontArray.h>
+#include <cabinet_articulation/TrackArray.h>
+#include <ros/ros.h>
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/joints/known_fronts.h"
+#include "cabinet_articulation/joints/model_file.h"
+#include "cabinet_articulation/joints/removed_fronts.h"
+#include "generation_watch.h"
+#include "settings.h"
+
+namespace cabinet_articulation {
+
+/// What the learner is told; called with ModelStore::learning() held.
+struct LearnerCalls {
+  std::function<void(const std::vector<core::LearnedModel>& joints)> start_from;  ///< forget everything else
+  std::function<void(std::uint32_t id)> forget;
+};
+
+/*
+ * Everything that was learned, in memory and in files. May be used at any time from any thread.
+ *
+ * What is loaded, reset and forgotten reaches the tracker, which may run elsewhere, by the topic `known_fronts`. Tracks that it
+ * published before it heard of that are recognised by their generation, and forgotten fronts by their ids, which are never
+ * given to others.
+ */
+class ModelStore {
+ public:
+  /// `nh`: where the topic lives.
+  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner);
+  ~ModelStore() { known_fronts_.shutdown(); }
+
+  // Each says how it went; they throw core::ModelFileError, and have changed nothing then.
+  std::string loadAtStart();
+  std::string load(const std::string& file);
+  std::string save(const std::string& file);
+  /// If save_at_exit is set.
+  std::string saveAtExit();
+
+  /// Forgets one front, here, at the tracker and in models_file. Throws core::ModelError for an id nobody knows.
+  std::string forget(std::uint32_t id);
+  void reset();
+
+  /// True once a file was loaded or saved, so that an earlier error is none any more.
+  bool fileWasGood() const { return file_was_good_; }
+
+  /// To be held while tracks are learned from, from judge() to update(): so a reset comes between two frames.
+  std::mutex& learning() { return learning_; }
+
+  /// Whether these tracks are to be learned from. With learning() held.
+  GenerationWatch::Verdict judge(const TrackArray& tracks);
+
+  /// The frame of the tracks that come now. Forgets what was known in another frame, and says so; else empty.
+  std::string followFrame(const std::string& frame_id);
+
+  /// Tracks that were published before the tracker forgot them.
+  void dropForgotten(std::vector<core::Track>* tracks) const;
+
+  /// What one frame gave.
+  void update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models);
+
+  /// Time was set back: joints stay known, as if they had been saved and loaded again; all else is forgotten. To be called
+  /// with learning() held.
+  void startAfresh();
+
+  /// The model of a front and the frame it is in. Throws core::ModelError for an id nobody knows.
+  core::LearnedModel modelOf(std::uint32_t id, std::string* frame_id) const;
+
+  /// Of all joints that are known, in view or not, given up or not.
+  std::vector<core::LearnedModel> jointModels(std::string* frame_id = nullptr) const;
+
+ private:
+  void startFrom(const core::ModelFile& models);
+  void restart(const core::ModelFile& models);
+  KnownFrontArray listOf(const core::ModelFile& models) const;
+  void greet(const ros::SingleSubscriberPublisher& subscriber) const;
+
+  ros::NodeHandle nh_;
+  const ModelFileConfig file_;
+  const LearnerCalls learner_;
+
+  // Waited for in this order.
+  std::mutex filing_;  ///< held while a file is written, and while something is removed from what is known
+  std::mutex learning_;
+  mutable std::mutex mutex_;  ///< guards what follows
+  core::KnownFronts known_;
+  core::RemovedFronts removed_;
+  std::set<std::uint32_t> forgotten_;  ///< ids
+  std::string frame_id_;               ///< of the models
+  std::uint32_t generation_ = 0;
+  std::uint32_t next_id_ = 0;  ///< lower ones are used up; 0: none was seen
+  GenerationWatch watch_;
+  ros::Publisher known_fronts_;
+  std::atomic<bool> file_was_good_{false};
+};
+
+}  // namespace cabinet_articulation

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clock_jump.h"
+
+#include <gtest/gtest.h>
+
+namespace cabinet_articulation {
+namespace {
+
+TEST(ClockJump, IsMoreThanFramesOutOfOrder) {
+  ClockJump jumped;
+  EXPECT_FALSE(jumped(ros::Time(100)));
+  EXPECT_FALSE(jumped(ros::Time(99.5)));
+  EXPECT_FALSE(jumped(ros::Time(99)));
+  EXPECT_TRUE(jumped(ros::Time(98.9)));
+  EXPECT_FALSE(jumped(ros::Time(99)));
+}
+
+TEST(ClockJump, KnowsAllTimesThatAMessageHolds) {
+  ClockJump jumped;
+  EXPECT_FALSE(jumped(ros::Time(0)));
+  EXPECT_FALSE(jumped(ros::TIME_MAX));
+  EXPECT_FALSE(jumped(ros::TIME_MAX));
+  EXPECT_TRUE(jumped(ros::Time(0)));
+  EXPECT_FALSE(jumped(ros::Time(0.1)));
+}
+
+}  // namespace
+}  // namespace cabinet_articulation
