@@ -124,7 +124,8 @@ std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<s
   return changes;
 }
 
-MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed) {
+MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file,
+                         const std::vector<LearnedModel>& removed) {
   const auto is_removed = [&](const KnownFront& front) {
     return std::any_of(removed.begin(), removed.end(),
                        [&](const LearnedModel& model) { return samePlace(model, front.model).has_value(); });

@@ -23,7 +23,7 @@ bool wasJoint(const LearnedModel& model) { return model.moved && model.explained
 void requireJoint(const LearnedModel& model) {
   if (wasJoint(model) && isGivenUp(model))
     throw ModelError(nameOf(model) + " was taken for a " + modelName(model.type) +
-                     " joint, but as many observations speak against that as for it, so it is none until it is seen to move again");
+                     " joint, but as many observations speak against that as for it; it is none until it is seen to move again");
   if (!model.moved)
     throw ModelError(nameOf(model) + " has not moved enough yet to tell how it moves (" + std::to_string(model.observations) +
                      " observations)");

@@ -233,7 +233,8 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   model.position_error = number(node["position_error"], "position_error");
   model.orientation_error = number(node["orientation_error"], "orientation_error");
   model.covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
-  model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", std::numeric_limits<int>::max()));
+  constexpr int kMost = std::numeric_limits<int>::max();
+  model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", kMost));
   for (const auto& entry : node["params"]) {
     const Numbers param = numbers(entry.second, "params", 2);
     model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});

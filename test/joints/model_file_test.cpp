@@ -184,7 +184,8 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
     expectRefused(words);
   }
   fs::remove(path_);
-  saveModelFile(path_, {"map", {learned(test::doorModel()), learned(test::doorModel())}});
+  saveModelFile(path_, {"map", {learned(test::doorModel()), learned(test::drawerModel())}});
+  damage("id: 4", "id: 3");
   expectRefused("front 2: its id is there twice");
   write("just some text");
   expectRefused("holds no models of this program");

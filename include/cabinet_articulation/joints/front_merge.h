@@ -23,8 +23,8 @@ struct IdChange {
 /// "front 3 of the file is front 7 now", for all of them; empty if there are none.
 std::string inWords(const std::vector<IdChange>& changes);
 
-/// A change for every id that is 0, above kLargestId or taken: from above the largest on, or where those are used up (kLargestId) the first that
-/// is free. `taken` grows by all ids.
+/// A change for every id that is 0, above kLargestId or taken: from above the largest on, or where those are used up
+/// (kLargestId) the first that is free. `taken` grows by all ids.
 std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<std::uint32_t>* taken);
 
 /// What is known now and what a file holds, as one.
@@ -39,6 +39,7 @@ struct MergedFronts {
 /// that the front has now, if it is much better known: learned from more than twice as many observations (counted up to
 /// kKeptObservations), or no joint that was given up as the other. What goes on from the file's front itself, as its history
 /// tells, always replaces it. Fronts that only the file has stay; `removed` are the places of those that do not.
-MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed);
+MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file,
+                         const std::vector<LearnedModel>& removed);
 
 }  // namespace cabinet_articulation::core

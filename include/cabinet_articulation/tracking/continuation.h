@@ -16,8 +16,9 @@ struct Continuation {
   KnownPlace reference;        ///< the place it continues from
 };
 
-/// The nearest way in which `detection` at `stamp` [s] continues the track and what is remembered of it, or nothing. A track continues from where it
-/// was last seen, from where its motion has brought it since, or (after a gap) from where it has been before.
+/// The nearest way in which `detection` at `stamp` [s] continues the track and what is remembered of it, or nothing. A track
+/// continues from where it was last seen, from where its motion has brought it since, or (after a gap) from where it has been
+/// before.
 std::optional<Continuation> findContinuation(const Track& track, const TrackMemory& memory, const DetectedRectangle& detection,
                                              double stamp, const TrackingConfig& config);
 

@@ -9,8 +9,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Moves the times of a history so that it ends `gap` [s] before `stamp`, or half-way from 0 to there if that is later. None gets
-/// below 0, for no robot's messages hold that: a history that is too long is compressed. The order stays.
+/// Moves the times of a history so that it ends `gap` [s] before `stamp`, or half-way from 0 to there if that is later. None
+/// gets below 0, for no robot's messages hold that: a history that is too long is compressed. The order stays.
 void placeBefore(std::vector<TrackedObservation>& history, double stamp, double gap);
 
 /// Fronts that were not seen for so long that their tracks ended, kept so that they get their id and their history back
