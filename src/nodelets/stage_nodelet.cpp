@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include "orderly_exit.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -15,6 +17,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 }  // namespace
 
 void StageNodelet::onInit() {
+  endOnSigtermAsOnSigint();
   ros::NodeHandle& nh = getNodeHandle();
   updater_ = std::make_unique<diagnostic_updater::Updater>(nh, getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");
