@@ -26,7 +26,8 @@ int JointWatch::typeInSight(const core::Rectangle& front, const std::vector<core
 void JointWatch::add(double stamp, const JointTruth& truth, const std::vector<core::LearnedModel>& models,
                      const IsRemembered& is_remembered) {
   type_ = typeInSight({fromMessage(truth.pose), truth.width, truth.height}, models);
-  const bool has_live_model = std::any_of(models.begin(), models.end(), [this](const auto& model) { return ids_.count(model.id); });
+  const bool has_live_model =
+      std::any_of(models.begin(), models.end(), [this](const auto& model) { return ids_.count(model.id); });
   if (type_ < 0 && !has_live_model && std::any_of(ids_.begin(), ids_.end(), is_remembered)) {
     type_ = true_type_;
     ++remembered_;

@@ -25,12 +25,16 @@ std::string text(const char* pattern, Arguments... arguments) {
   return buffer;
 }
 
-/// Compares the last fifth of a run with the second: the first holds the start.
-Judgement judgeGrowth(const std::string& what, const char* unit, const Series& series, double duration, double factor, double by) {
+const char* nameOf(Outcome outcome) {
+  return outcome == Outcome::kHeld ? "held" : outcome == Outcome::kFailed ? "FAILED" : "not judged";
+}
+
+/// Compares the last fifth of a run with the second: the first holds the start. A growth by less than `by` is none.
+Judgement judgeGrowth(const std::string& what, const Series& series, double duration, double factor, double by) {
   const double early = series.median(0.2 * duration, 0.4 * duration), late = series.median(0.8 * duration, duration);
   const bool held = late <= std::max(factor * early, early + by);
   return {held ? Outcome::kHeld : Outcome::kFailed,
-          what + text(": median %.1f%s in the second fifth of the run, %.1f%s in the last", early, unit, late, unit)};
+          what + text(": median %.1f in the second fifth of the run, %.1f in the last", early, late)};
 }
 
 }  // namespace
@@ -84,8 +88,7 @@ std::string SoakRecord::heading() {
 std::string SoakRecord::minute(double from, double to) const {
   const std::vector<double> wall = wall_.between(from, to);
   const double rate = wall.size() > 1 ? static_cast<double>(wall.size() - 1) / (wall.back() - wall.front()) : 0;
-  std::string line =
-      text("%6.1f %7.1f %8.1f %8.1f", to / kMinute, memory_.median(from, to), rate, latency_.median(from, to));
+  std::string line = text("%6.1f %7.1f %8.1f %8.1f", to / kMinute, memory_.median(from, to), rate, latency_.median(from, to));
   for (const char* stage : kStages) {
     const auto series = stages_.find(stage);
     line += text(" %12.2f", series == stages_.end() ? std::nan("") : series->second.median(from, to));
@@ -145,13 +148,13 @@ std::vector<Judgement> SoakRecord::judge(double duration, const std::vector<core
     return judgements;
   }
   judgements.push_back(judgeMemory(duration, limits));
-  judgements.push_back(judgeGrowth("objects", "", objects_, duration, limits.more_objects, limits.more_objects_by));
+  judgements.push_back(judgeGrowth("objects", objects_, duration, limits.growth, limits.objects));
   for (const char* stage : kStages) {
     const auto series = stages_.find(stage);
     if (series == stages_.end())
       judgements.push_back({Outcome::kFailed, text("%s did not say how long it takes", stage)});
     else
-      judgements.push_back(judgeGrowth(stage, " ms", series->second, duration, limits.slower, limits.slower_by));
+      judgements.push_back(judgeGrowth(text("%s [ms]", stage), series->second, duration, limits.growth, limits.milliseconds));
   }
   return judgements;
 }
@@ -164,9 +167,8 @@ bool allHeld(const std::vector<Judgement>& judgements) {
 std::string format(const std::vector<Judgement>& judgements) {
   std::string lines, failures;
   for (const Judgement& judgement : judgements) {
-    const bool failed = judgement.outcome == Outcome::kFailed;
-    lines += (failed ? "FAILED      " : judgement.outcome == Outcome::kHeld ? "held        " : "not judged  ") + judgement.text + "\n";
-    if (failed) failures += (failures.empty() ? "" : "; ") + judgement.text;
+    lines += text("%-12s", nameOf(judgement.outcome)) + judgement.text + "\n";
+    if (judgement.outcome == Outcome::kFailed) failures += (failures.empty() ? "" : "; ") + judgement.text;
   }
   return lines + (failures.empty() ? "everything held\n" : "failed: " + failures + "\n");
 }

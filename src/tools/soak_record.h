@@ -15,13 +15,12 @@ namespace cabinet_articulation {
 
 /// What must hold over a long run.
 struct SoakLimits {
-  double known_share = 0.99;     ///< of the frames since a joint was first known
-  double settled = 600;          ///< [s] from here on nothing may grow; a run that is not longer is not judged on that
-  double memory_growth = 5;      ///< [MB]
-  double slower = 1.2;           ///< a stage's median in the last fifth of the run over that in the second
-  double slower_by = 0.3;        ///< [ms] and by at least so much: what takes no time at all may double
-  double more_objects = 1.2;     ///< the same for the number of objects
-  double more_objects_by = 2.0;  ///< and by more than so many
+  double known_share = 0.99;  ///< of the frames since a joint was first known
+  double settled = 600;       ///< [s] from here on nothing may grow; a run that is not longer is not judged on that
+  double memory_growth = 5;   ///< [MB]
+  double growth = 1.2;        ///< of the median of a stage's time and of the number of objects, second to last fifth of the run
+  double milliseconds = 0.3;  ///< what grows by less is not judged: next to nothing may double
+  double objects = 2;         ///< the same for the number of objects
 };
 
 /// One demand on the run, in words.

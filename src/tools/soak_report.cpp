@@ -26,9 +26,10 @@
 namespace cabinet_articulation {
 namespace {
 
-constexpr char kUsage[] = "usage: soak_report _minutes:=M _file:=SAVED.yaml [_manager:=NODE] (remap truth, models, timing, predict, save_models)\n";
-constexpr double kMinute = 60;     // [s]
-constexpr double kPatience = 60;   // [s] of wall time without a result
+constexpr char kUsage[] =
+    "usage: soak_report _minutes:=M _file:=SAVED.yaml [_manager:=NODE] (remap truth, models, timing, predict, save_models)\n";
+constexpr double kMinute = 60;    // [s]
+constexpr double kPatience = 60;  // [s] of wall time without a result
 constexpr std::uint32_t kQueue = 1000;
 
 /// The process of a node on this computer.
@@ -146,7 +147,8 @@ class SoakReport {
   std::vector<core::LearnedModel> save() {
     SaveModels call;
     call.request.file = file_;
-    if (!ros::service::call(ros::names::resolve("save_models"), call)) throw std::runtime_error("failed: save_models did not answer");
+    if (!ros::service::call(ros::names::resolve("save_models"), call))
+      throw std::runtime_error("failed: save_models did not answer");
     if (!call.response.success) throw std::runtime_error("failed: save_models: " + call.response.message);
     std::vector<core::LearnedModel> models;
     for (const core::KnownFront& front : core::readModelFile(file_).fronts) models.push_back(front.model);

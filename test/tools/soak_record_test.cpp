@@ -77,7 +77,8 @@ TEST_F(SoakRecordTest, WhatHoldsAllTheTimeIsGood) {
   const std::string text = format(judgements);
   EXPECT_EQ(text.substr(text.size() - 16), "everything held\n");
   const std::string minute = record_.minute(kMinute, 2 * kMinute);
-  for (const char* part : {"200.0", "2.0", "drawer: prismatic 100.0 %"}) EXPECT_NE(minute.find(part), std::string::npos) << minute;
+  for (const char* part : {"200.0", "2.0", "drawer: prismatic 100.0 %"})
+    EXPECT_NE(minute.find(part), std::string::npos) << minute;
 }
 
 TEST_F(SoakRecordTest, AJointThatVanishesForTwoPerCentOfTheTimeIsNot) {
@@ -159,7 +160,7 @@ TEST_F(SoakRecordTest, NothingMayBecomeSlowerOrMore) {
     models->resize(1 + static_cast<size_t>(time / 200), *models->begin());
   });
   const std::string text = failures();
-  for (const char* what : {"stereo: median 23.", "articulation: median 23.", "objects: median 2.0 in"})
+  for (const char* what : {"stereo [ms]: median 23.", "articulation [ms]: median 23.", "objects: median 2.0 in"})
     EXPECT_NE(text.find(what), std::string::npos) << text;
 }
 
