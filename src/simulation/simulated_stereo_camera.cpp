@@ -16,6 +16,9 @@ const SimulationConfig& checked(const SimulationConfig& config) {
   return config;
 }
 
+/// Mostly short, and at times up to `longest`.
+double mostlyShort(double longest, cv::RNG* random) { return longest * std::pow(random->uniform(0.0, 1.0), 3); }
+
 /// One joint after the other, each with its own speed, and from the second round on with its own width, stay and rest.
 MotionScript makeScript(const SimulationConfig& config, const Scene& scene) {
   cv::RNG random(static_cast<std::uint64_t>(config.scene_seed) * 2 + 1);
@@ -31,8 +34,8 @@ MotionScript makeScript(const SimulationConfig& config, const Scene& scene) {
       move.closing *= random.uniform(0.85, 1.15);
       if (round > 0) {
         move.q_max *= random.uniform(0.4, 1.0);
-        move.pause = random.uniform(0.2, 4.0);
-        move.start += random.uniform(0.0, 8.0);
+        move.pause = 0.2 + mostlyShort(8, &random);
+        move.start += mostlyShort(20, &random);
       }
       moves.push_back(move);
       start = move.end() + 1.5;
