@@ -1,12 +1,28 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs every unit test and every rostest.
+# test.sh [unit]: installs what is missing, builds, runs every unit test and every rostest; with `unit` the unit tests alone.
 # The last line is "N passed, N failed"; the exit status says the same.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(dirname "$here")/build
 
+case "$*" in
+  "")
+    targets=tests
+    # One after the other: the rostests measure rates, and the machine may have two cores.
+    run=run_tests
+    ;;
+  unit)
+    targets=unit_tests
+    run="-j$(nproc) run_unit_tests"
+    ;;
+  *)
+    echo "unknown arguments '$*'; usage: test.sh [unit]" >&2
+    exit 2
+    ;;
+esac
+
 export PATH=/usr/bin:$PATH
-if ! "$here/build.sh" tests; then
+if ! "$here/build.sh" $targets; then
   echo "the build failed"
   echo "0 passed, 1 failed"
   exit 1
@@ -14,7 +30,6 @@ fi
 rm -rf "$build/test_results"
 set +eu
 . "$here/../devel/setup.sh"
-# One after the other: the rostests measure rates, and the machine may have two cores.
-make -C "$build" --no-print-directory run_tests
+make -C "$build" --no-print-directory $run
 run_status=$?
 /usr/bin/python3 "$here/summarize_tests.py" "$build/test_results" "$run_status"

@@ -98,6 +98,7 @@ struct SimulatedCameraSettings {
   std::string frame_id = "stereo_left_optical_frame";
   std::string world_frame = "world";
   bool wait_for_subscribers = false;
+  std::string pace = "time";
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -105,6 +106,9 @@ struct SimulatedCameraSettings {
     visit("world_frame", self.world_frame, core::Choices{}, "tf of the camera is published in this frame; empty: no tf");
     visit("wait_for_subscribers", self.wait_for_subscribers,
           "nothing moves before both images have subscribers, so that they see the whole motion");
+    visit("pace", self.pace, core::Choices{"time", "results"},
+          "when a frame comes: time (1 / rate after the last, as from a camera) or results (when the topic models has those of "
+          "the last; sends /clock, and needs use_sim_time)");
   }
 };
 

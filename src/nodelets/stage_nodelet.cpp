@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "orderly_exit.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -17,6 +18,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 }  // namespace
 
 void StageNodelet::onInit() {
+  endOnSigtermAsOnSigint();
   ros::NodeHandle& nh = getNodeHandle();
   updater_ = std::make_unique<diagnostic_updater::Updater>(nh, getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");

@@ -16,20 +16,30 @@ const SimulationConfig& checked(const SimulationConfig& config) {
   return config;
 }
 
-/// One joint after the other, each with its own speed.
+/// Mostly short, and at times up to `longest`.
+double mostlyShort(double longest, cv::RNG* random) { return longest * std::pow(random->uniform(0.0, 1.0), 3); }
+
+/// One joint after the other, each with its own speed, and from the second round on with its own width, stay and rest.
 MotionScript makeScript(const SimulationConfig& config, const Scene& scene) {
   cv::RNG random(static_cast<std::uint64_t>(config.scene_seed) * 2 + 1);
   std::vector<Move> moves;
   double start = 1;
-  for (size_t i = 0; i < scene.joints.size(); ++i) {
-    Move move;
-    move.joint = static_cast<int>(i);
-    move.q_max = scene.joints[i].q_max;
-    move.start = start;
-    move.opening *= random.uniform(0.85, 1.15);
-    move.closing *= random.uniform(0.85, 1.15);
-    moves.push_back(move);
-    start = move.end() + 1.5;
+  for (int round = 0; round < config.rounds; ++round) {
+    for (size_t i = 0; i < scene.joints.size(); ++i) {
+      Move move;
+      move.joint = static_cast<int>(i);
+      move.q_max = scene.joints[i].q_max;
+      move.start = start;
+      move.opening *= random.uniform(0.85, 1.15);
+      move.closing *= random.uniform(0.85, 1.15);
+      if (round > 0) {
+        move.q_max *= random.uniform(0.4, 1.0);
+        move.pause = 0.2 + mostlyShort(8, &random);
+        move.start += mostlyShort(20, &random);
+      }
+      moves.push_back(move);
+      start = move.end() + 1.5;
+    }
   }
   return MotionScript(moves);
 }

@@ -44,9 +44,8 @@ class Loader {
 
   /// False if some could not be loaded.
   bool load() {
-    if (!list_.isValid()) list_ = nh_.serviceClient<nodelet::NodeletList>(manager_ + "/list", true);
     nodelet::NodeletList list;
-    if (!list_.call(list)) return true;  // not there yet, or not any more
+    if (!call("/list", list)) return true;  // not there yet, or not any more
     const std::vector<std::string>& there = list.response.nodelets;
     bool all = true;
     for (nodelet::NodeletLoad& wanted : nodelets_) {
@@ -67,6 +66,7 @@ class Loader {
   }
 
  private:
+  /// Connects anew for each call: a connection that is kept can outlive its manager and still pass for a good one.
   template <class Service>
   bool call(const std::string& service, Service& call) {
     return ros::service::call(manager_ + service, call);
@@ -78,10 +78,9 @@ class Loader {
     call("/unload_nodelet", request);
   }
 
-  ros::NodeHandle nh_;
+  ros::NodeHandle keep_alive_;
   const std::string manager_;
   std::vector<nodelet::NodeletLoad> nodelets_;
-  ros::ServiceClient list_;
   bool is_first_ = true;
 };
 

@@ -17,23 +17,6 @@ namespace cabinet_articulation {
 namespace {
 
 constexpr double kMillimetres = 1e3;
-constexpr double kFoundWithin = 50;  ///< [mm] farther off in the mean, a model describes something else
-
-const char* nameOf(int type) {
-  const auto index = static_cast<size_t>(type);
-  return index < core::modelRegistry().size() ? core::modelRegistry()[index].name : "unknown";
-}
-
-/// Distance of a true front's centre to where the model predicts it, in the description of the rectangle that fits best.
-double distanceToModel(const core::LearnedModel& model, const core::Rectangle& front) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < core::kDescriptions; ++k) {
-    const double q = model.configuration(core::describe(front, k).pose);
-    least = std::min(least, (model.predict(q).translation() - front.center()).norm());
-  }
-  return least;
-}
-
 std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string line(const char* format, ...) {
   char buffer[256];
@@ -45,6 +28,20 @@ std::string line(const char* format, ...) {
 }
 
 }  // namespace
+
+const char* typeName(int type) {
+  const auto index = static_cast<size_t>(type);
+  return index < core::modelRegistry().size() ? core::modelRegistry()[index].name : "unknown";
+}
+
+double distanceToModel(const core::LearnedModel& model, const core::Rectangle& front) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < core::kDescriptions; ++k) {
+    const double q = model.configuration(core::describe(front, k).pose);
+    least = std::min(least, (model.predict(q).translation() - front.center()).norm());
+  }
+  return least;
+}
 
 bool SceneComparison::right() const {
   return false_movers == 0 && std::all_of(joints.begin(), joints.end(), [](const JointComparison& joint) { return joint.right; });
@@ -99,7 +96,7 @@ SceneComparison TruthComparison::compare(const std::vector<ArticulationModel>& m
       const JointComparison candidate = compareJoint(history, model);
       if (candidate.prediction_mean < best.prediction_mean) best = candidate;
     }
-    best.found = best.prediction_mean < kFoundWithin;
+    best.found = best.prediction_mean < kMillimetres * kFoundWithin;
     best.right = best.found && best.model.type == best.true_type && best.probability > limits.probability &&
                  best.axis_degrees <= limits.axis_degrees && best.axis_millimetres <= limits.axis_millimetres &&
                  best.prediction_max <= limits.prediction_millimetres;
@@ -116,13 +113,13 @@ std::string format(const SceneComparison& comparison) {
                           "axis deg", "axis mm", "front mm (max)", "range", "");
   for (const JointComparison& joint : comparison.joints) {
     if (!joint.found) {
-      text += line("%-16s %-11s no learned model describes it\n", joint.name.c_str(), nameOf(joint.true_type));
+      text += line("%-16s %-11s no learned model describes it\n", joint.name.c_str(), typeName(joint.true_type));
       continue;
     }
     const bool turns = joint.true_type == ArticulationModel::ROTATIONAL;
     const double scale = turns ? core::toDegrees(1) : kMillimetres;
     text += line("%-16s %-11s %4u %-11s %6.3f %9.2f %9s %7.1f (%5.1f) %5.0f of %4.0f %s %6s\n", joint.name.c_str(),
-                 nameOf(joint.true_type), joint.model.id, nameOf(joint.model.type), joint.probability, joint.axis_degrees,
+                 typeName(joint.true_type), joint.model.id, typeName(joint.model.type), joint.probability, joint.axis_degrees,
                  turns ? line("%.1f", joint.axis_millimetres).c_str() : "-", joint.prediction_mean, joint.prediction_max,
                  scale * (joint.model.q_max - joint.model.q_min), scale * joint.true_range, turns ? "deg" : "mm",
                  joint.right ? "right" : "WRONG");

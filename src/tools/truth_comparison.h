@@ -8,9 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "cabinet_articulation/articulation/learned_model.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation {
+
+constexpr double kFoundWithin = 0.05;  ///< [m] farther off, a model describes something else
+
+const char* typeName(int type);
+
+/// [m] from a true front's centre to where the model predicts it, in the description of the rectangle that fits best.
+double distanceToModel(const core::LearnedModel& model, const core::Rectangle& front);
 
 /// What a learned model must reach to be called right.
 struct TruthLimits {

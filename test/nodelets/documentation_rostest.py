@@ -12,9 +12,10 @@ PAGES = Path(__file__).resolve().parents[2] / 'doc' / 'nodelets'
 NAMESPACE = '/cabinet/'
 # Every node has these.
 COMMON = {'/rosout', '/clock'}
-# Those that the default settings do not ask for: another input, tf between frames.
+# Those that the default settings do not ask for: another input, tf between frames, another pace.
 OPTIONAL = {'planes': {'depth/image', 'depth/camera_info'}, 'rectangles': {'depth/image', 'depth/camera_info', '/tf', '/tf_static'},
-            'tracking': {'/tf', '/tf_static'}, 'overlay': {'depth/image', 'depth/camera_info', '/tf', '/tf_static'}}
+            'tracking': {'/tf', '/tf_static'}, 'overlay': {'depth/image', 'depth/camera_info', '/tf', '/tf_static'},
+            'simulated_stereo_camera': {'/clock', 'models'}}
 
 
 def documented(page, section):

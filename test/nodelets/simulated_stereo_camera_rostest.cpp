@@ -128,25 +128,37 @@ TEST(SimulatedStereoCamera, ShowsTheWholeMotionToItsSubscribers) {
   EXPECT_TRUE(axis.isApprox(-Eigen::Vector3d::UnitY(), 1e-6));
 }
 
-TEST(SimulatedStereoCamera, RefusesBadParametersInWordsAndStaysSilent) {
+/// What the camera that is loaded as `name` says when it refuses to start.
+std::string refusal(const std::string& name) {
   ros::NodeHandle nh;
   std::string fatal;
   const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, [&](const rosgraph_msgs::Log::ConstPtr& line) {
-    if (line->level == rosgraph_msgs::Log::FATAL) fatal += line->msg;
+    if (line->level == rosgraph_msgs::Log::FATAL && line->msg.find(name) != std::string::npos) fatal += line->msg;
   });
-  ASSERT_TRUE(ros::service::waitForService("manager/load_nodelet", ros::Duration(30)));
-  ASSERT_TRUE(spinUntil([&] { return log.getNumPublishers() > 1; }, 30));
-  nh.setParam("/broken/camera/scene", "bathroom");
+  EXPECT_TRUE(ros::service::waitForService("manager/load_nodelet", ros::Duration(30)));
+  EXPECT_TRUE(spinUntil([&] { return log.getNumPublishers() > 1; }, 30));
   nodelet::NodeletLoad load;
-  load.request.name = "/broken/camera";
+  load.request.name = name;
   load.request.type = "cabinet_articulation/simulated_stereo_camera";
-  ASSERT_TRUE(ros::service::call("manager/load_nodelet", load));
+  EXPECT_TRUE(ros::service::call("manager/load_nodelet", load));
   EXPECT_TRUE(spinUntil([&] { return !fatal.empty(); }, 10));
+  return fatal;
+}
+
+TEST(SimulatedStereoCamera, RefusesBadParametersInWordsAndStaysSilent) {
+  ros::param::set("/broken/camera/scene", "bathroom");
+  const std::string fatal = refusal("/broken/camera");
   for (const char* part : {"/broken/camera", "'scene'", "'bathroom'", "'kitchen'"})
     EXPECT_NE(fatal.find(part), std::string::npos) << part << " is missing in: " << fatal;
   ros::master::V_TopicInfo topics;
   ASSERT_TRUE(ros::master::getTopics(topics));
   for (const ros::master::TopicInfo& topic : topics) EXPECT_NE(topic.name, "/broken/truth");
+}
+
+TEST(SimulatedStereoCamera, IsNoClockWhereTimeIsReal) {
+  ros::param::set("/paced/camera/pace", "results");
+  const std::string fatal = refusal("/paced/camera");
+  EXPECT_NE(fatal.find("/use_sim_time"), std::string::npos) << fatal;
 }
 
 }  // namespace

@@ -220,6 +220,39 @@ TEST(SimulatedStereoCamera, StaysInItsLastStateOrStartsAgain) {
   EXPECT_EQ(again.truth(count + 30).joints[0].q, again.truth(30).joints[0].q);
 }
 
+TEST(SimulatedStereoCamera, OpensAgainToOtherWidthsAfterOtherRests) {
+  SimulationConfig config = configOf("kitchen");
+  const int once = SimulatedStereoCamera(config).frameCount();
+  config.rounds = 6;
+  const SimulatedStereoCamera camera(config);
+  std::vector<double> widths, closed;  // of the drawer: each time, and how long before it [s]
+  int rest = 0;
+  for (int frame = 0; frame < camera.frameCount(); ++frame) {
+    const GroundTruth truth = camera.truth(frame);
+    const double q = truth.joints[0].q;
+    ASSERT_LE(q, truth.joints[0].q_max);
+    if (q < 1e-9) {
+      ++rest;
+      continue;
+    }
+    if (rest > 0) {
+      widths.push_back(0);
+      closed.push_back(rest / config.rate);
+    }
+    rest = 0;
+    widths.back() = std::max(widths.back(), q);
+  }
+  ASSERT_EQ(widths.size(), 6u);
+  EXPECT_NEAR(widths[0], camera.truth(0).joints[0].q_max, 1e-3) << "the first round is that of a single one";
+  for (size_t i = 0; i < once - config.rate; i += 10)
+    EXPECT_EQ(camera.truth(i).joints[1].q, SimulatedStereoCamera(config).truth(i).joints[1].q);
+  std::sort(widths.begin(), widths.end());
+  std::sort(closed.begin(), closed.end());
+  EXPECT_LT(widths.front(), 0.8 * widths.back());
+  EXPECT_GT(widths.front(), 0.35 * widths.back());
+  EXPECT_GT(closed.back() - closed[1], 3);
+}
+
 TEST(SimulatedStereoCamera, HandHoldsTheMovingHandle) {
   SimulationConfig config = configOf("drawer");
   SimulatedStereoCamera with(config);

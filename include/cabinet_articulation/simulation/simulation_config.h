@@ -13,6 +13,7 @@ struct SimulationConfig {
   std::string hinge = "left";
   bool hand = true;
   double camera_motion = 0;
+  int rounds = 1;
   bool loop = false;
 
   double rate = 15;
@@ -42,6 +43,8 @@ struct SimulationConfig {
     visit("hinge", self.hinge, Choices{"left", "right"}, "side of the door's hinge, seen from the room");
     visit("hand", self.hand, "an arm and a hand in front of the handle of what moves");
     visit("camera_motion", self.camera_motion, Range{0, 0.3}, "m", "how far the camera wanders about its place; 0: it stands");
+    visit("rounds", self.rounds, Range{1, 1000}, "",
+          "how often everything opens in one run; from the second time on each to a width and after a rest of its own");
     visit("loop", self.loop, "start the motion again after its end; otherwise the last state stays");
     visit("rate", self.rate, Range{0.1, 200}, "Hz", "frames per second (paper, III-A: 15)");
     visit("width", self.width, Range{16, 4096}, "px", "image width");
