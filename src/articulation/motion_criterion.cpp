@@ -25,8 +25,8 @@ constexpr double kQuick = 0.5;  ///< [s] within which a hand hardly turns round
 
 constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
 
-/// Largest share of the variation that may be from one frame to the next (measured: faces of clutter that tilt 0.3 to 0.6,
-/// real motions up to 0.17); twice as much as a steady way of a few poses has.
+/// Largest share of the variation that may go back and forth (measured: faces of clutter that tilt 0.3 to 1.4, fronts that open
+/// less than 0.03).
 constexpr double kRestless = 0.25;
 
 double median(std::vector<double> values) {
@@ -189,9 +189,7 @@ MotionCriterion::MotionCriterion(const Track& track, const PoseTrack& poses, con
 }
 
 bool MotionCriterion::wasSeen(const ModelResiduals& residuals, const PoseTrack& poses) const {
-  const double n = static_cast<double>(poses.size());
-  return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min &&
-         restlessness(residuals, poses) <= std::max(kRestless, 12 / (n * n - 1));
+  return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min && restlessness(residuals, poses) <= kRestless;
 }
 
 bool MotionCriterion::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseTrack& poses) const {

@@ -41,6 +41,24 @@ TEST(MotionCriterion, UnevenMotionIsNoJitter) {
   EXPECT_LT(jitterOf(uneven), 0.001);
 }
 
+TEST(MotionCriterion, AWayOfAFewLargeStepsIsNotRestless) {
+  // A door that is seen well in few frames while it opens, and at rest from then on.
+  const double opened[] = {0, 0.12, 0.3, 0.31, 0.31, 0.31, 0.31, 0.31, 0.31, 0.31, 0.31, 0.31};
+  Track whole = syntheticTrack(noisy(0.0002)), track = whole;
+  track.observations.clear();
+  ArticulationLearner learner({});
+  for (const double q : opened) {
+    const auto nearest = static_cast<std::size_t>(std::lround(q / 1.2 * 199));
+    track.observations.push_back(whole.observations[nearest]);
+    track.observations.back().stamp = 10 + static_cast<double>(track.observations.size()) / 15;
+    track.observations.back().covariance.diagonal() << 1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4;
+    const LearnedModel model = learner.process({track}).at(0);
+    if (track.observations.size() >= 3) EXPECT_TRUE(model.moved) << track.observations.size() << " poses";
+    const LearnedModel at_once = learn(track);
+    if (track.observations.size() >= 6) EXPECT_TRUE(at_once.moved) << track.observations.size() << " poses at once";
+  }
+}
+
 TEST(MotionCriterion, NoMotionInFewPosesOrWithoutVisibleEdges) {
   SyntheticFront front = noisy(0.001);
   front.poses = 2;

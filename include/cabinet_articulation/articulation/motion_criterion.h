@@ -14,7 +14,7 @@ namespace cabinet_articulation::core {
  * Whether a front moved (ours). Pieces of furniture that are hardly visible jitter by centimetres and tens of degrees while
  * they stand still. Some point of the front must have come farther than motion_min, than motion_to_jitter times its jitter
  * from one frame to the next, and than motion_to_noise times its distance from where the model says. It must have been seen in
- * between, too, and its place along the way must not vary as much from one frame to the next as it does at all. There is no
+ * between, too, and its place along the way must not go back and forth from one frame to the next. There is no
  * motion while the median observation has less than edge_support_min of its edges on every third of the way, there are fewer
  * than observations_min, few that do not follow one another at once or are of something small, or few of something narrow, as
  * hands and arms give.
