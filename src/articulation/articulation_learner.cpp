@@ -88,7 +88,7 @@ std::vector<LearnedModel> ArticulationLearner::process(const std::vector<Track>&
   State::Entries live;
   for (const Track& track : tracks) state_->enter(track.id, config_, &live)->second.update(track);
   for (const auto& [id, gone] : state_->entries)
-    if (gone.learned && (gone.learner.knowsJoint() || gone.learner.best().doubt > 0)) state_->keep(gone.learner.best());
+    if (gone.learner.knowsJoint() || gone.learner.best().doubt > 0) state_->keep(gone.learner.best());
   state_->entries = std::move(live);
   std::vector<LearnedModel> models;
   for (const auto& [id, entry] : state_->entries)

@@ -8,7 +8,6 @@
 #include "cabinet_articulation/articulation/model_registry.h"
 #include "cabinet_articulation/articulation/motion_criterion.h"
 #include "hinge_plausibility.h"
-#include "known_joint.h"
 #include "model_description.h"
 
 namespace cabinet_articulation::core {
@@ -19,6 +18,9 @@ constexpr std::size_t kTurnPoses = 60;
 
 /// Fewer can be looked at from everywhere each time, and do not tell for long which point of the front is seen best.
 constexpr std::size_t kFew = 16;
+
+/// [nats] Motion that is less probable is not called so yet: 0.9.
+constexpr double kLogOdds = 2.2;
 
 /// The candidate that explains motion best; null without one.
 const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
@@ -39,6 +41,7 @@ void FrontLearner::remember(const LearnedModel& joint) {
   evidence_.remember(joint);
   distrusts_past_ = !evidence_.isEstablished();
   if (!distrusts_past_) joint_ = joint;
+  learned_ = joint;
 }
 
 void FrontLearner::startAnew() {
@@ -90,7 +93,8 @@ void FrontLearner::compareMotions(const MotionCriterion* criterion) {
   });
   // How a front moves that stands still is not worth the time.
   if (!moves) return comparison_.reset();
-  comparison_.update(observations_, reference_, thorough_ || isNewlyDoubted(), &candidates_);
+  const bool newly_doubted = noteDoubt();
+  comparison_.update(observations_, reference_, thorough_ || newly_doubted, &candidates_);
 }
 
 bool FrontLearner::update(const Track& track) {
@@ -98,7 +102,8 @@ bool FrontLearner::update(const Track& track) {
   if (distrusts_past_ && !track.observations.empty()) observations_.dropBefore(track.observations.back().stamp);
   distrusts_past_ = false;
   if (!observations_.update(track)) return false;
-  if (known == 0) startAnew();
+  placed_anew_ = known == 0;
+  if (placed_anew_) startAnew();
   thorough_ = observations_.size() < kFew || 4 * observations_.size() >= 5 * known;
   front_.id = track.id;
   front_.width = track.width;
@@ -114,12 +119,23 @@ bool FrontLearner::update(const Track& track) {
   learned_ = !is_joint && evidence_.isEstablished() ? describeKnownJoint() : describe(candidates_[selection_.best]);
   if (is_joint) joint_ = learned_;
   describeEvidence(&learned_);
+  // What was given up must be established again before it is told.
+  learned_.moved = learned_.moved && learned_.doubt < 1;
   return true;
 }
 
+/// Beside a joint that is established: the same one, or one of another type that is as sure.
 bool FrontLearner::foundJoint() const {
-  return selection_.moved && selection_.explained && candidates_[selection_.best].model->moves();
+  constexpr double kSureOfType = 0.999;
+  const ArticulationModel& best = *candidates_[selection_.best].model;
+  if (!selection_.moved || !selection_.explained || !best.moves()) return false;
+  if (!evidence_.isEstablished() || !joint_) return true;
+  if (joint_->type != best.type()) return selection_.probabilities[static_cast<std::size_t>(best.type())] > kSureOfType;
+  // A history that was placed anew takes the joint along.
+  return placed_anew_ || evidence_.isRefinement(knownJoint(), joint_->q_min, joint_->q_max, best);
 }
+
+KnownJoint FrontLearner::knownJoint() const { return {*joint_, reference_.offset(front_.width, front_.height), config_}; }
 
 void FrontLearner::learnAnew(const Track& track) {
   startAnew();
@@ -129,22 +145,28 @@ void FrontLearner::learnAnew(const Track& track) {
 
 /// True once for each time that poses contradict the joint and are no single false detections: the comparison that it came
 /// from may be out of date.
-bool FrontLearner::isNewlyDoubted() {
+bool FrontLearner::noteDoubt() {
   constexpr double kSerious = 0.3;
   if (evidence_.doubt() == 0) doubted_ = false;
   if (doubted_ || evidence_.doubt() < kSerious || evidence_.doubt() >= 1) return false;
   return doubted_ = true;
 }
 
-/// Instead of the joint that was given up: one that explains what contradicted, and what came before.
+/// Instead of the joint that was given up: one that the whole history speaks for, and that is not contradicted.
 bool FrontLearner::findOtherJoint(const Track& track) {
   learnAnew(track);
   if (candidates_.empty() || !foundJoint()) return false;
   const ArticulationModel& other = *candidates_[selection_.best].model;
   const double before = std::nextafter(evidence_.contradictedSince(), 0.0);
   if (!JointEvidence::isOnPath(other, observations_.since(reference_, before))) return false;
-  evidence_.consider(other, allPoses(), selection_.log_odds);
+  consider(other);
   return evidence_.isEstablished();
+}
+
+/// In place of a joint that was known.
+void FrontLearner::consider(const ArticulationModel& joint) {
+  joint_.reset();
+  evidence_.consider(joint, allPoses(), selection_.log_odds);
 }
 
 PoseTrack FrontLearner::allPoses() const { return posesSince(-std::numeric_limits<double>::infinity()); }
@@ -167,6 +189,8 @@ void FrontLearner::learn(const Track& track) {
   if (candidates_.empty()) return;
   const MotionCriterion criterion(track, poses_, config_);
   const MotionCriterion* asked = evidence_.isEstablished() ? nullptr : &criterion;
+  // A log is of something that was moved; what has been watched at rest most likely goes on to rest.
+  const bool rested = !placed_anew_ && observations_.size() >= kFew && !learned_.moved;
   compareMotions(asked);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
@@ -174,7 +198,7 @@ void FrontLearner::learn(const Track& track) {
     candidate.plausible = !is_rectangle || !isNoHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   const Candidate* moving = bestMoving(candidates_);
   if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
-  selection_ = selectModel(&candidates_, spaced_, asked, config_);
+  selection_ = selectModel(&candidates_, spaced_, asked, rested ? JointEvidence::kPriorOdds : kLogOdds, config_);
 }
 
 /// What the newest observations say of the joint that is known, or was just found. False if it is given up.
@@ -182,17 +206,15 @@ bool FrontLearner::weighEvidence() {
   const ArticulationModel& best = *candidates_[selection_.best].model;
   const bool is_joint = foundJoint();
   const bool established = evidence_.isEstablished();
-  const bool is_new = is_joint && (!established || joint_->type != best.type());
   if (!established && !is_joint) return true;
-  if (is_new) {
-    evidence_.consider(best, allPoses(), selection_.log_odds);
+  if (is_joint && (!established || joint_->type != best.type())) {
+    consider(best);
     return true;
   }
-  const KnownJoint known(*joint_, reference_.offset(front_.width, front_.height), config_);
   // Time may have been set back since; then only the newest pose is new.
   const double before_newest = std::nextafter(poses_.stamps.back(), -std::numeric_limits<double>::infinity());
   const PoseTrack fresh = posesSince(std::min(evidence_.weighedUntil(), before_newest));
-  return evidence_.weigh(known, is_joint ? &best : nullptr, fresh);
+  return evidence_.weigh(knownJoint(), is_joint ? &best : nullptr, fresh);
 }
 
 std::vector<LearnedModel> FrontLearner::candidates() const {
@@ -229,7 +251,7 @@ LearnedModel FrontLearner::describeKnownJoint() const {
   LearnedModel learned = *joint_;
   learned.id = front_.id;
   learned.stamp = poses_.stamps.back();
-  learned.q = KnownJoint(*joint_, reference_.offset(front_.width, front_.height), config_).configuration(poses_.poses.back());
+  learned.q = knownJoint().configuration(poses_.poses.back());
   learned.observations = static_cast<int>(observations_.size());
   return learned;
 }

@@ -85,6 +85,7 @@ bool FrontPoses::update(const Track& track) {
   }
   entries_.insert(entries_.end(), fresh.begin(), fresh.end());
   const auto earlier = [](const Entry& a, const Entry& b) { return a.stamp < b.stamp; };
+  if (entries_.empty()) return false;
   const bool in_order = std::is_sorted(entries_.begin(), entries_.end(), earlier);
   if (!in_order) std::stable_sort(entries_.begin(), entries_.end(), earlier);
   measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);

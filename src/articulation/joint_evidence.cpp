@@ -6,13 +6,23 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// [nats] One in a thousand rectangles opens. Measured in a room at rest: up to 3.8; fronts pass 7 within some 8 cm.
-constexpr double kPriorOdds = 6.9;
+/// A few false detections do not outweigh a joint, however short its way.
+constexpr double kFewest = 5;
 
-/// A few false detections in a row do not outweigh a joint that came from more poses, however short its way.
-constexpr std::size_t kRow = 5;
+/// An observation off the path counts twice: false detections are fewer than those that happen to be on a wrong path (ours).
+constexpr double kContraryWeight = 2;
+
+/// Places that are told apart; longer ways than 2 m need no more.
+constexpr std::size_t kMostPlaces = 200;
 
 constexpr double kOffPath = 3;  ///< standard deviations, as for the outliers of a fit
+
+/// The first point of an outline is the observed one, which may change; the others are the front's corners.
+std::vector<Eigen::Vector3d> placeOf(const Eigen::Isometry3d& pose, const PoseTrack& poses) {
+  std::vector<Eigen::Vector3d> place;
+  for (std::size_t k = poses.outline.size() > 1 ? 1 : 0; k < poses.outline.size(); ++k) place.push_back(pose * poses.outline[k]);
+  return place;
+}
 
 bool fits(const ModelResiduals& residuals, std::size_t i) {
   return std::max(residuals.displaced[i], residuals.turned[i]) <= kOffPath;
@@ -20,13 +30,17 @@ bool fits(const ModelResiduals& residuals, std::size_t i) {
 
 }  // namespace
 
+double JointEvidence::enough() const { return std::max(kFewest, support_ / kContraryWeight); }
+
+double JointEvidence::doubt() const { return given_up_ ? 1 : isEstablished() ? contrary_ / enough() : 0; }
+
 void JointEvidence::remember(const LearnedModel& joint) {
   *this = JointEvidence(config_);
   weighed_until_ = joint.stamp;
   given_up_ = joint.doubt >= 1;
   if (given_up_) return;
   support_ = std::max(1.0, joint.support);
-  contrary_ = std::max(0.0, joint.doubt) * support_;
+  contrary_ = std::max(0.0, joint.doubt) * enough();
 }
 
 void JointEvidence::consider(const ArticulationModel& joint, const PoseTrack& poses, double log_odds) {
@@ -34,8 +48,8 @@ void JointEvidence::consider(const ArticulationModel& joint, const PoseTrack& po
   *this = JointEvidence(config_);
   const ModelResiduals residuals = joint.residuals(poses);
   for (std::size_t i = 0; i < poses.size(); ++i)
-    if (fits(residuals, i)) count(joint.predict(residuals.q[i]), poses);
-  support_ = std::max(support_, static_cast<double>(std::min(kRow, poses.size())));
+    if (fits(residuals, i)) support(placeOf(joint.predict(residuals.q[i]), poses));
+  support_ = std::max(1.0, support_);
   weighed_until_ = poses.stamps.back();
 }
 
@@ -47,11 +61,16 @@ bool JointEvidence::weigh(const ArticulationModel& known, const ArticulationMode
     const bool on_refined = refined && fits(by_refined, i);
     if (on_refined || fits(by_known, i)) {
       contrary_ = std::max(0.0, contrary_ - 1);
-      count(on_refined ? refined->predict(by_refined.q[i]) : known.predict(by_known.q[i]), poses);
+      if (contrary_ == 0) contradicting_.clear();
+      if (!contradicting_.empty()) contradicting_.pop_back();
+      support(placeOf(on_refined ? refined->predict(by_refined.q[i]) : known.predict(by_known.q[i]), poses));
       continue;
     }
-    if (contrary_ == 0) contradicted_since_ = poses.stamps[i];
-    if (++contrary_ < support_) continue;
+    const Place place = placeOf(poses.poses[i], poses);
+    if (!isNew(place, contradicting_)) continue;
+    if (contradicting_.empty()) contradicted_since_ = poses.stamps[i];
+    contradicting_.push_back(place);
+    if (++contrary_ < enough()) continue;
     support_ = 0;
     given_up_ = true;
     return false;
@@ -66,13 +85,30 @@ bool JointEvidence::isOnPath(const ArticulationModel& joint, const PoseTrack& po
   return 2 * on_path >= poses.size();
 }
 
-void JointEvidence::count(const Eigen::Isometry3d& place, const PoseTrack& poses) {
-  const auto moved = [&](const Eigen::Vector3d& point) {
-    return (place * point - *counted_ * point).norm() >= config_.sigma_position;
+bool JointEvidence::isRefinement(const ArticulationModel& known, double q_min, double q_max,
+                                 const ArticulationModel& refined) const {
+  for (const double q : {q_min, (q_min + q_max) / 2, q_max}) {
+    const Eigen::Isometry3d seen = known.predict(q), now = refined.predict(refined.configuration(seen));
+    const double turn = Eigen::AngleAxisd(seen.linear().transpose() * now.linear()).angle();
+    if ((seen.translation() - now.translation()).norm() > kOffPath * config_.sigma_position) return false;
+    if (turn > kOffPath * config_.sigma_orientation) return false;
+  }
+  return true;
+}
+
+bool JointEvidence::isNew(const Place& place, const std::vector<Place>& places) const {
+  const auto is_here = [&](const Place& other) {
+    for (std::size_t k = 0; k < std::min(place.size(), other.size()); ++k)
+      if ((place[k] - other[k]).norm() >= config_.sigma_position) return false;
+    return true;
   };
-  if (counted_ && std::none_of(poses.outline.begin(), poses.outline.end(), moved)) return;
-  counted_ = place;
-  ++support_;
+  return places.size() < kMostPlaces && std::none_of(places.rbegin(), places.rend(), is_here);
+}
+
+void JointEvidence::support(const Place& place) {
+  if (!isNew(place, supporting_)) return;
+  supporting_.push_back(place);
+  support_ = std::max(support_, static_cast<double>(supporting_.size()));
 }
 
 }  // namespace cabinet_articulation::core

@@ -10,9 +10,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// Motion that is less probable is not called so yet.
-constexpr double kSure = 0.9;
-
 /// Share of all joints that one must have to be told from a few poses.
 constexpr double kSureOfJoint = 0.75;
 
@@ -145,15 +142,15 @@ bool isSureOfJoint(const std::vector<Candidate>& candidates, const Candidate& be
 
 /// Probability that the front moved, as `best` says.
 double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles& roles, const Candidate* best,
-                           const PoseTrack& track, const MotionCriterion* criterion) {
+                           const PoseTrack& track, const MotionCriterion* criterion, double log_odds) {
   if (!best) return 0;
   if (!roles.still) return 1;
-  const double moved = logistic(advantage(*best, *roles.still, track));
+  const double odds = advantage(*best, *roles.still, track), moved = logistic(odds);
   if (!best->plausible) return std::min(moved, 0.5);
   if (!criterion) return std::max(moved, kEvident);
   if (isSureOfJoint(candidates, *best) && criterion->isEvidentEarly(*best->model, best->residuals, track))
     return std::max(moved, kEvident);
-  return moved >= kSure && criterion->passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
+  return odds >= log_odds && criterion->passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
 }
 
 /// Index = JointType. `moved` and `beyond`: of motion, and of motion that no joint describes.
@@ -201,14 +198,14 @@ bool explains(const Candidate& candidate, const ArticulationConfig& config) {
 }
 
 Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion* criterion,
-                      const ArticulationConfig& config) {
+                      double log_odds, const ArticulationConfig& config) {
   const Roles roles = assignRoles(candidates, track, config);
   const bool open = roles.free && !explains(*roles.moving, config);
   const double beyond = open ? logistic(advantage(*roles.free, *roles.moving, track)) : 0;
   const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
-  const double moved = probabilityOfMotion(*candidates, roles, best, track, criterion);
+  const double moved = probabilityOfMotion(*candidates, roles, best, track, criterion, log_odds);
   Selection selection;
-  if (best && roles.still) selection.log_odds = advantage(*best, *roles.still, track);
+  if (best) selection.log_odds = roles.still ? advantage(*best, *roles.still, track) : std::numeric_limits<double>::infinity();
   selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
   selection.moved = best && moved > 0.5;
   selection.explained = !selection.moved || explains(*best, config);

@@ -65,9 +65,11 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
     const fs::path file = followLinks(path);
     const FolderLock lock(file.parent_path());
     Found found = lookAt(file);
-    if (found.models && models.fronts.empty() && !found.models->fronts.empty() && models.frame.empty())
+    // Nothing has no frame, and replaces nothing.
+    const bool other_frame = found.models && found.models->frame != models.frame;
+    if (other_frame && models.fronts.empty() && !found.models->fronts.empty())
       return SavedModels{found.models->fronts.size(), found.models->fronts.size(), {}};
-    if (found.models && !found.models->fronts.empty() && found.models->frame != models.frame) {
+    if (other_frame && !found.models->fronts.empty()) {
       found.why_not = "its poses are in the frame '" + found.models->frame + "', and the new ones in '" + models.frame + "'";
       found.models.reset();
     }

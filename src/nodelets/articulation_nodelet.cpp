@@ -44,7 +44,7 @@ class ArticulationNodelet : public StageNodelet {
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
       auto learner = std::make_unique<core::ArticulationLearner>(tuned);
-      learner->remember(joints());
+      learner->remember(store_->jointModels());
       learner_ = std::move(learner);
       services_->setConfig(tuned);
     });
@@ -68,13 +68,6 @@ class ArticulationNodelet : public StageNodelet {
   }
 
   void unsubscribe() override { tracks_topic_.shutdown(); }
-
-  std::vector<core::LearnedModel> joints() const {
-    std::vector<core::LearnedModel> joints = store_->jointModels();
-    joints.erase(std::remove_if(joints.begin(), joints.end(), [](const auto& model) { return !core::isJoint(model); }),
-                 joints.end());
-    return joints;
-  }
 
   /// What happened to the model file. Without it the work goes on.
   void report(const std::function<std::string()>& work) {

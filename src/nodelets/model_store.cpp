@@ -13,11 +13,10 @@ namespace {
 
 std::uint32_t idAfter(std::uint32_t id) { return id == std::numeric_limits<std::uint32_t>::max() ? id : id + 1; }
 
-std::vector<core::LearnedModel> usableJoints(const std::vector<core::KnownFront>& fronts) {
-  std::vector<core::LearnedModel> joints;
-  for (const core::KnownFront& front : fronts)
-    if (core::isJoint(front.model)) joints.push_back(front.model);
-  return joints;
+std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fronts) {
+  std::vector<core::LearnedModel> models;
+  for (const core::KnownFront& front : fronts) models.push_back(front.model);
+  return models;
 }
 
 }  // namespace
@@ -44,14 +43,17 @@ std::string ModelStore::loadAtStart() {
 }
 
 std::string ModelStore::load(const std::string& file) {
+  std::lock_guard<std::mutex> filing(filing_);
   const core::ModelFile models = core::readModelFile(file);
   {
+    std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
     if (!frame_id_.empty() && models.frame != frame_id_ && !models.fronts.empty())
       throw core::ModelFileError("model file '" + file + "': its poses are in the frame '" + models.frame + "', tracks in '" +
                                  frame_id_ + "'; nothing is loaded");
+    removed_.loaded(models.fronts);
+    restart(models);
   }
-  startFrom(models);
   file_was_good_ = true;
   const std::string changes = core::inWords(models.changes);
   return std::to_string(models.fronts.size()) + " fronts loaded from '" + file + "'" +
@@ -163,19 +165,12 @@ void ModelStore::startAfresh() {
   restart({frame_id_, known_.joints()});
 }
 
-void ModelStore::startFrom(const core::ModelFile& models) {
-  std::lock_guard<std::mutex> learning(learning_);
-  std::lock_guard<std::mutex> lock(mutex_);
-  removed_.loaded(models.fronts);
-  restart(models);
-}
-
 void ModelStore::restart(const core::ModelFile& models) {
   for (const core::KnownFront& front : models.fronts) {
     next_id_ = std::max(next_id_, idAfter(front.model.id));
     forgotten_.erase(front.model.id);
   }
-  learner_.start_from(usableJoints(models.fronts));
+  learner_.start_from(modelsOf(models.fronts));
   known_.replace(models.fronts);
   if (!models.fronts.empty()) frame_id_ = models.frame;
   // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.

@@ -79,7 +79,6 @@ class ModelStore {
   std::vector<core::LearnedModel> jointModels(std::string* frame_id = nullptr) const;
 
  private:
-  void startFrom(const core::ModelFile& models);
   void restart(const core::ModelFile& models);
   KnownFrontArray listOf(const core::ModelFile& models) const;
   void greet(const ros::SingleSubscriberPublisher& subscriber) const;

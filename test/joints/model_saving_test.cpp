@@ -66,6 +66,7 @@ TEST_F(ModelSaving, OfNothingKeepsWhatIsThere) {
   const std::string before = text();
   EXPECT_EQ(saveModelFile(path_, {"map", {}}).fronts, 2u);
   EXPECT_EQ(saveModelFile(path_, {"", {}}).fronts, 2u) << "before the first frame";
+  EXPECT_EQ(saveModelFile(path_, {"odom", {}}).fronts, 2u) << "in another frame";
   EXPECT_EQ(text(), before);
 }
 

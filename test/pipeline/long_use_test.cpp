@@ -99,7 +99,7 @@ TEST_P(LongUse, LosesNoJoint) {
 INSTANTIATE_TEST_SUITE_P(, LongUse,
                          testing::Values(Use{"Usual", 6, 15, 6, 10}, Use{"WithoutRest", 3, 15, 4, 0},
                                          Use{"LongRests", 6, 15, 8, 60}, Use{"SlowCamera", 6, 5, 6, 10},
-                                         Use{"FewPoses", 4, 15, 6, 10, 100}),
+                                         Use{"FewPoses", 4, 15, 6, 10, 100}, Use{"FastCamera", 2, 30, 6, 10}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/articulation/joint_evidence.h"
+#include "cabinet_articulation/articulation/known_joint.h"
 #include "cabinet_articulation/articulation/model_selection.h"
 #include "cabinet_articulation/articulation/motion_comparison.h"
 #include "cabinet_articulation/articulation/motion_criterion.h"
@@ -41,7 +42,9 @@ class FrontLearner {
   void learn(const Track& track);
   void learnAnew(const Track& track);
   bool foundJoint() const;
-  bool isNewlyDoubted();
+  KnownJoint knownJoint() const;
+  bool noteDoubt();
+  void consider(const ArticulationModel& joint);
   bool findOtherJoint(const Track& track);
   bool weighEvidence();
   PoseTrack allPoses() const;
@@ -69,6 +72,7 @@ class FrontLearner {
   std::vector<Candidate> candidates_;
   Selection selection_;
   JointEvidence evidence_;
+  bool placed_anew_ = false;           ///< all observations of this update are new
   bool distrusts_past_ = false;        ///< the observations that are there at first led to a joint that was given up
   bool doubted_ = false;               ///< the joint was compared again since poses began to contradict it
   std::optional<LearnedModel> joint_;  ///< as it was found last

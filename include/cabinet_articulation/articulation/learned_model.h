@@ -29,7 +29,7 @@ struct LearnedModel {
   bool moved = false;                 ///< false: not enough motion to tell yet
   bool explained = true;              ///< false: moved, but no model describes it ("none of these")
   double support = 0;                 ///< observations at different places on the joint's path; 0: it is not established yet
-  double doubt = 0;                   ///< observations off the path as a share of those; 1: the joint was given up
+  double doubt = 0;                   ///< how near observations off the path are to outweighing those; 1: it was given up
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();

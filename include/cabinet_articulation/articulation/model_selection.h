@@ -48,9 +48,10 @@ bool explains(const Candidate& candidate, const ArticulationConfig& config);
  * poses do not say how certain they are, a model whose path bends by less than sagitta_min, and on which the front hardly
  * turns, is not preferred to a simpler one. Between rigid and moving they are not, since such a sequence explains slow motion
  * by itself: there they are independent, the likelihood counts for as many poses as are independent, and the motion must pass
- * `criterion`, or be evident to it, unless it is null: then it is known that the front moves. So they are between a joint that does not explain the motion and a curve of any shape.
+ * `criterion` and have `log_odds` [nats], or be evident to it, unless it is null: then it is known that the front moves. So they
+ * are between a joint that does not explain the motion and a curve of any shape.
  */
 Selection selectModel(std::vector<Candidate>* candidates, const PoseTrack& track, const MotionCriterion* criterion,
-                      const ArticulationConfig& config);
+                      double log_odds, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core
