@@ -34,24 +34,9 @@ set +eu
 . "$here/../devel/setup.sh"
 set -eu
 
-# A master of its own, so that the demo neither needs nor disturbs one that is running.
-port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
-export ROS_MASTER_URI=http://localhost:$port ROS_HOSTNAME=localhost
 picture=$build/demo_$scene.png
-roslaunch -p "$port" cabinet_articulation demo.launch scene:="$scene" "$@" >"$build/demo_$scene.log" 2>&1 &
-launch=$!
-stop() {
-  kill -INT "$launch" 2>/dev/null || true
-  wait "$launch" 2>/dev/null || true
-}
-trap stop EXIT
-until /usr/bin/python3 -c 'import rosgraph, sys; sys.exit(not rosgraph.is_master_online())'; do
-  if ! kill -0 "$launch" 2>/dev/null; then
-    cat "$build/demo_$scene.log"
-    exit 1
-  fi
-  sleep 0.2
-done
+. "$here/own_master.sh"
+launch_with_own_master "$build/demo_$scene.log" demo.launch scene:="$scene" "$@"
 
 echo "watching the scene '$scene' (log: $build/demo_$scene.log)"
 status=0

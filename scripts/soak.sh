@@ -20,23 +20,8 @@ set +eu
 . "$here/../devel/setup.sh"
 set -eu
 
-# A master of its own, so that the run neither needs nor disturbs one that is there.
-port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
-export ROS_MASTER_URI=http://localhost:$port ROS_HOSTNAME=localhost
-roslaunch -p "$port" cabinet_articulation soak.launch "$@" >"$build/soak.log" 2>&1 &
-launch=$!
-stop() {
-  kill -INT "$launch" 2>/dev/null || true
-  wait "$launch" 2>/dev/null || true
-}
-trap stop EXIT
-until /usr/bin/python3 -c 'import rosgraph, sys; sys.exit(not rosgraph.is_master_online())'; do
-  if ! kill -0 "$launch" 2>/dev/null; then
-    cat "$build/soak.log"
-    exit 1
-  fi
-  sleep 0.2
-done
+. "$here/own_master.sh"
+launch_with_own_master "$build/soak.log" soak.launch "$@"
 
 echo "$minutes minutes of a simulated kitchen (log: $build/soak.log)"
 rm -f "$build/soak.yaml"
