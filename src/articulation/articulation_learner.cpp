@@ -44,8 +44,7 @@ void ArticulationLearner::State::Entry::update(const Track& track) {
 }
 
 /// Moves what is known of the front to `entries`.
-ArticulationLearner::State::Entries::iterator ArticulationLearner::State::enter(std::uint32_t id, const ArticulationConfig& config,
-                                                                                Entries* live) {
+auto ArticulationLearner::State::enter(std::uint32_t id, const ArticulationConfig& config, Entries* live) -> Entries::iterator {
   auto node = entries.extract(id);
   if (!node.empty()) return live->insert(std::move(node)).position;
   const auto entry = live->emplace(id, config).first;

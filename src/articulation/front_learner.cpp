@@ -19,7 +19,7 @@ constexpr std::size_t kTurnPoses = 60;
 /// Fewer can be looked at from everywhere each time, and do not tell for long which point of the front is seen best.
 constexpr std::size_t kFew = 16;
 
-/// [nats] Motion that is less probable is not called so yet: 0.9.
+/// [nats] Motion that is less probable than 0.9 is not called so yet (ours).
 constexpr double kLogOdds = 2.2;
 
 /// The candidate that explains motion best; null without one.
@@ -126,7 +126,7 @@ bool FrontLearner::update(const Track& track) {
 
 /// Beside a joint that is established: the same one, or one of another type that is as sure.
 bool FrontLearner::foundJoint() const {
-  constexpr double kSureOfType = 0.999;
+  constexpr double kSureOfType = 0.999;  // the odds that establish a joint
   const ArticulationModel& best = *candidates_[selection_.best].model;
   if (!selection_.moved || !selection_.explained || !best.moves()) return false;
   if (!evidence_.isEstablished() || !joint_) return true;
@@ -146,7 +146,7 @@ void FrontLearner::learnAnew(const Track& track) {
 /// True once for each time that poses contradict the joint and are no single false detections: the comparison that it came
 /// from may be out of date.
 bool FrontLearner::noteDoubt() {
-  constexpr double kSerious = 0.3;
+  constexpr double kSerious = 0.3;  // two of the five places that it takes at least (ours)
   if (evidence_.doubt() == 0) doubted_ = false;
   if (doubted_ || evidence_.doubt() < kSerious || evidence_.doubt() >= 1) return false;
   return doubted_ = true;

@@ -6,13 +6,13 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// A few false detections do not outweigh a joint, however short its way.
+/// A few false detections do not outweigh a joint, however short its way (ours).
 constexpr double kFewest = 5;
 
 /// An observation off the path counts twice: false detections are fewer than those that happen to be on a wrong path (ours).
 constexpr double kContraryWeight = 2;
 
-/// Places that are told apart; longer ways than 2 m need no more.
+/// Places that are told apart (ours): ways are shorter than 2 m, as doors are narrower than radius_max.
 constexpr std::size_t kMostPlaces = 200;
 
 constexpr double kOffPath = 3;  ///< standard deviations, as for the outliers of a fit

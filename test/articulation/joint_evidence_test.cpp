@@ -131,7 +131,8 @@ TEST(JointEvidence, OfAnArmIsOutweighedToo) {
   ASSERT_TRUE(isA(JointType::kPrismatic, watched.model()));
   const Eigen::Isometry3d there = truePose(arm, 0.2);
   for (int i = 1; i <= 25; ++i)
-    watched.see(Eigen::Translation3d(0.012 * i, 0.008 * i, 0) * there * Eigen::AngleAxisd(0.03 * i, Eigen::Vector3d(1, 1, 0.5).normalized()));
+    watched.see(Eigen::Translation3d(0.012 * i, 0.008 * i, 0) * there *
+                Eigen::AngleAxisd(0.03 * i, Eigen::Vector3d(1, 1, 0.5).normalized()));
   EXPECT_FALSE(isA(JointType::kPrismatic, watched.model()) && watched.model().doubt < 1);
 }
 

@@ -204,7 +204,8 @@ TEST_F(ModelFile, IsMergedByPlaceAndWithoutWhatWasReset) {
   const auto merged = callWithFile<SaveModels>("save_models", path_);
   EXPECT_TRUE(merged.first && contains(merged.second, "2 fronts saved") && contains(merged.second, "1 of them as the file had"))
       << merged.second;
-  EXPECT_TRUE(contains(text(), "- id: " + std::to_string(drawer) + "\n") && contains(text(), "- id: " + std::to_string(door) + "\n"));
+  EXPECT_TRUE(contains(text(), "- id: " + std::to_string(drawer) + "\n"));
+  EXPECT_TRUE(contains(text(), "- id: " + std::to_string(door) + "\n"));
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call("/cabinet/reset", reset));
   const auto after = callWithFile<SaveModels>("save_models", path_);

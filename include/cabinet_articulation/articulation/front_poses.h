@@ -46,8 +46,8 @@ class FrontPoses {
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseTrack track(ReferencePoint point, std::size_t count) const;
 
-  /// The same in runs of poses that follow one another at once, spread evenly over the time and the way that the front went, the
-  /// newest pose among them.
+  /// The same in runs of poses that follow one another at once. Runs are spread evenly over the time and the front's way; the
+  /// newest pose is among them.
   PoseTrack runs(ReferencePoint point, std::size_t count) const;
 
   /// The poses after `stamp`.

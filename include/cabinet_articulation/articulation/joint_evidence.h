@@ -40,8 +40,8 @@ class JointEvidence {
   /// What was known of a joint in an earlier run.
   void remember(const LearnedModel& joint);
 
-  /// Establishes a joint that was found just now in `poses`, if these `log_odds` [nats] that the front moved are enough, or if
-  /// another joint of the same front is established already.
+  /// A joint that was found just now in `poses`. It is established if the `log_odds` [nats] that the front moved are enough, or
+  /// if it replaces one that is.
   void consider(const ArticulationModel& joint, const PoseTrack& poses, double log_odds);
 
   /// New poses, which are on the path if the joint as it was known or, unless null, as it was refined says so. False if the
@@ -67,7 +67,7 @@ class JointEvidence {
   double support_ = 0, contrary_ = 0;  ///< observations
   bool given_up_ = false;
   double contradicted_since_ = kNever, weighed_until_ = kNever;
-  std::vector<Place> supporting_, contradicting_;  ///< that counted since the joint was established, and since it was contradicted
+  std::vector<Place> supporting_, contradicting_;  ///< that counted, of the joint and of a row that contradicts
 };
 
 }  // namespace cabinet_articulation::core
