@@ -85,8 +85,7 @@ class FreshManager(unittest.TestCase):
             log = Path(folder) / 'drawer.log'
             log.write_text(''.join('0.5 0.3 %.4f 0 1 0 0 0.4 0.2\n' % (1.5 - 0.005 * max(0, i - 20)) for i in range(80)))
             for name, how in (('SIGINT', signal.SIGINT), ('SIGTERM', signal.SIGTERM), ('rosnode kill', rosnode_kill)):
-                with self.subTest(name):
-                    self.learn_and_end(log, Path(folder) / (name + '.yaml'), how)
+                self.learn_and_end(log, Path(folder) / (name + '.yaml'), how)
 
     def learn_and_end(self, log, models_file, how):
         rospy.set_param('/cabinet/articulation/models_file', str(models_file))
@@ -98,12 +97,12 @@ class FreshManager(unittest.TestCase):
         self.start_loader('articulation', 'articulation')
         self.running['player'] = start('cabinet_articulation', 'track_publisher', str(log), '_rate:=30', '_loop:=true',
                                        '_frame_id:=kitchen')
-        self.assertTrue(wait_until(lambda: learned), 'nothing was learned')
+        self.assertTrue(wait_until(lambda: learned), 'nothing was learned for ' + models_file.stem)
         self.end('player', signal.SIGINT)
         models.unregister()
-        self.assertEqual(self.end('manager', how), 0, 'exit status of the manager')
+        self.assertEqual(self.end('manager', how), 0, 'exit status of the manager after ' + models_file.stem)
         self.end('articulation', signal.SIGINT)
-        self.assertTrue(models_file.exists(), 'nothing was saved')
+        self.assertTrue(models_file.exists(), 'nothing was saved after ' + models_file.stem)
         self.assertIn('complete: true', models_file.read_text())
 
 
