@@ -13,13 +13,20 @@ def main():
     passed, failed = 0, []
     for path in sorted(folder.rglob('*.xml')):
         try:
-            cases = list(ElementTree.parse(path).getroot().iter('testcase'))
+            root = ElementTree.parse(path).getroot()
         except ElementTree.ParseError as error:
             failed.append('%s: unreadable (%s)' % (path.name, error))
             continue
+        cases = list(root.iter('testcase'))
         # A test program that died before its first test leaves a suite with an error and no cases.
         if not cases:
             failed.append('%s: no test ran' % path.name)
+        # Python's runner tells of parts of a case (subTest) that failed in the suite's numbers only.
+        for suite in root.iter('testsuite'):
+            told = sum(int(suite.get(key) or 0) for key in ('failures', 'errors'))
+            shown = sum(case.find(tag) is not None for case in suite.iter('testcase') for tag in ('failure', 'error'))
+            if told > shown:
+                failed.append('%s: %d failures that no case shows' % (path.name, told - shown))
         for case in cases:
             wrong = [entry for entry in map(case.find, ('failure', 'error', 'skipped')) if entry is not None]
             if wrong:

@@ -37,6 +37,10 @@ def services():
     return {name for name, _ in rosgraph.Master('/fresh_manager_test').getSystemState()[2]}
 
 
+def is_established(model):
+    return model.moved and any(param.name == 'support' and param.value > 0 for param in model.params)
+
+
 def rosnode_kill(process):
     ServerProxy(rosgraph.Master('/fresh_manager_test').lookupNode('/cabinet/manager')).shutdown('/fresh_manager_test', 'test')
 
@@ -92,7 +96,7 @@ class FreshManager(unittest.TestCase):
         rospy.set_param('/cabinet/articulation/save_at_exit', True)
         learned = []
         models = rospy.Subscriber('/cabinet/models', ArticulationModelArray,
-                                  lambda message: learned.extend(model for model in message.models if model.moved))
+                                  lambda message: learned.extend(model for model in message.models if is_established(model)))
         self.start_manager()
         self.start_loader('articulation', 'articulation')
         self.running['player'] = start('cabinet_articulation', 'track_publisher', str(log), '_rate:=30', '_loop:=true',
