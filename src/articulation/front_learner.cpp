@@ -22,6 +22,10 @@ constexpr std::size_t kFew = 16;
 /// [nats] Motion that is less probable than 0.9 is not called so yet (ours).
 constexpr double kLogOdds = 2.2;
 
+constexpr double kEver = -std::numeric_limits<double>::infinity();  ///< [s] before every observation
+
+double justBefore(double stamp) { return std::nextafter(stamp, kEver); }
+
 /// The candidate that explains motion best; null without one.
 const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
   const Candidate* best = nullptr;
@@ -157,8 +161,8 @@ bool FrontLearner::findOtherJoint(const Track& track) {
   learnAnew(track);
   if (candidates_.empty() || !foundJoint()) return false;
   const ArticulationModel& other = *candidates_[selection_.best].model;
-  const double before = std::nextafter(evidence_.contradictedSince(), 0.0);
-  if (!JointEvidence::isOnPath(other, observations_.since(reference_, before))) return false;
+  const PoseTrack contrary = posesSince(justBefore(evidence_.contradictedSince()));
+  if (!JointEvidence::isOnPath(other, contrary)) return false;
   consider(other);
   return evidence_.isEstablished();
 }
@@ -166,10 +170,8 @@ bool FrontLearner::findOtherJoint(const Track& track) {
 /// In place of a joint that was known.
 void FrontLearner::consider(const ArticulationModel& joint) {
   joint_.reset();
-  evidence_.consider(joint, allPoses(), selection_.log_odds);
+  evidence_.consider(joint, posesSince(kEver), selection_.log_odds);
 }
-
-PoseTrack FrontLearner::allPoses() const { return posesSince(-std::numeric_limits<double>::infinity()); }
 
 PoseTrack FrontLearner::posesSince(double stamp) const {
   PoseTrack poses = observations_.since(reference_, stamp);
@@ -187,8 +189,9 @@ void FrontLearner::learn(const Track& track) {
   candidates_.clear();
   fitModels(spaced_, true);
   if (candidates_.empty()) return;
-  const MotionCriterion criterion(track, poses_, config_);
-  const MotionCriterion* asked = evidence_.isEstablished() ? nullptr : &criterion;
+  std::optional<MotionCriterion> criterion;
+  if (!evidence_.isEstablished()) criterion.emplace(track, poses_, config_);
+  const MotionCriterion* asked = criterion ? &*criterion : nullptr;
   // A log is of something that was moved; what has been watched at rest most likely goes on to rest.
   const bool rested = !placed_anew_ && observations_.size() >= kFew && !learned_.moved;
   compareMotions(asked);
@@ -212,8 +215,7 @@ bool FrontLearner::weighEvidence() {
     return true;
   }
   // Time may have been set back since; then only the newest pose is new.
-  const double before_newest = std::nextafter(poses_.stamps.back(), -std::numeric_limits<double>::infinity());
-  const PoseTrack fresh = posesSince(std::min(evidence_.weighedUntil(), before_newest));
+  const PoseTrack fresh = posesSince(std::min(evidence_.weighedUntil(), justBefore(poses_.stamps.back())));
   return evidence_.weigh(knownJoint(), is_joint ? &best : nullptr, fresh);
 }
 

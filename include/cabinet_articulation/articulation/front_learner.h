@@ -47,7 +47,6 @@ class FrontLearner {
   void consider(const ArticulationModel& joint);
   bool findOtherJoint(const Track& track);
   bool weighEvidence();
-  PoseTrack allPoses() const;
   PoseTrack posesSince(double stamp) const;
   LearnedModel describe(const Candidate& candidate) const;
   LearnedModel describeKnownJoint() const;
