@@ -122,7 +122,8 @@ bool FrontLearner::update(const Track& track) {
   const bool is_joint = foundJoint();
   learned_ = !is_joint && evidence_.isEstablished() ? describeKnownJoint() : describe(candidates_[selection_.best]);
   if (is_joint) joint_ = learned_;
-  describeEvidence(&learned_);
+  learned_.support = evidence_.support();
+  learned_.doubt = evidence_.doubt();
   // What was given up must be established again before it is told.
   learned_.moved = learned_.moved && learned_.doubt < 1;
   return true;
@@ -256,19 +257,6 @@ LearnedModel FrontLearner::describeKnownJoint() const {
   learned.q = knownJoint().configuration(poses_.poses.back());
   learned.observations = static_cast<int>(observations_.size());
   return learned;
-}
-
-void FrontLearner::describeEvidence(LearnedModel* learned) const {
-  learned->support = evidence_.support();
-  learned->doubt = evidence_.doubt();
-  for (const auto& [name, value] : {std::make_pair("support", learned->support), std::make_pair("doubt", learned->doubt)}) {
-    const auto is_named = [name = name](const ModelParam& param) { return param.name == name; };
-    const auto there = std::find_if(learned->params.begin(), learned->params.end(), is_named);
-    if (there == learned->params.end())
-      learned->params.push_back({name, value, ModelParam::kEval});
-    else
-      there->value = value;
-  }
 }
 
 }  // namespace cabinet_articulation::core

@@ -22,27 +22,39 @@ bool isWorthKeeping(const LearnedModel& model) {
 
 }  // namespace
 
-void KnownFronts::update(std::vector<Track> tracks, const std::vector<LearnedModel>& models) {
-  std::map<std::uint32_t, KnownFront> seen;
-  for (const LearnedModel& model : models) seen[model.id].model = model;
-  for (Track& track : tracks) {
-    const auto it = seen.find(track.id);
-    if (it != seen.end()) it->second.track = std::move(track);
-  }
+const std::vector<Track>& KnownFronts::follow(std::vector<TrackUpdate> updates) {
+  const std::vector<Track>& tracks = tracks_.add(std::move(updates));
+  for (const Track& track : tracks_.ended()) ended_[track.id] = track;
+  return tracks;
+}
+
+void KnownFronts::update(const std::vector<LearnedModel>& models) {
+  std::map<std::uint32_t, LearnedModel> seen;
+  for (const LearnedModel& model : models) seen[model.id] = model;
   live_.swap(seen);
-  for (auto& [id, before] : seen) {
+  for (const auto& [id, before] : seen) {
     const auto now = live_.find(id);
-    const bool still_told = now != live_.end() && isWorthKeeping(now->second.model);
-    if (isWorthKeeping(before.model) && !still_told) remember(std::move(before));
+    const bool still_told = now != live_.end() && isWorthKeeping(now->second);
+    if (!isWorthKeeping(before) || still_told) continue;
+    const Track* track = trackOf(id);
+    remember({before, track != nullptr ? *track : Track()});
   }
-  for (const auto& [id, front] : live_) {
+  ended_.clear();
+  for (const auto& [id, model] : live_) {
     const auto known = remembered_.find(id);
     if (known == remembered_.end()) continue;
-    if (isWorthKeeping(front.model))
+    if (isWorthKeeping(model))
       remembered_.erase(known);
-    else if (isGivenUp(front.model))
-      known->second.model.doubt = front.model.doubt;
+    else if (isGivenUp(model))
+      known->second.model.doubt = model.doubt;
   }
+}
+
+const Track* KnownFronts::trackOf(std::uint32_t id) const {
+  for (const Track& track : tracks_.tracks())
+    if (track.id == id) return &track;
+  const auto ended = ended_.find(id);
+  return ended == ended_.end() ? nullptr : &ended->second;
 }
 
 void KnownFronts::remember(KnownFront front) {
@@ -56,15 +68,16 @@ void KnownFronts::remember(KnownFront front) {
 }
 
 const LearnedModel& KnownFronts::at(std::uint32_t id) const {
-  const auto known = remembered_.find(id), live = live_.find(id);
+  const auto known = remembered_.find(id);
+  const auto live = live_.find(id);
   // A front that came back may have to move again before its own model tells more than the remembered one.
-  const bool live_tells_more = known == remembered_.end() || (isGivenUp(known->second.model) && live != live_.end() &&
-                                                               isJoint(live->second.model));
+  const bool live_tells_more =
+      known == remembered_.end() || (isGivenUp(known->second.model) && live != live_.end() && isJoint(live->second));
   if (!live_tells_more) return known->second.model;
-  if (live != live_.end()) return live->second.model;
+  if (live != live_.end()) return live->second;
   std::set<std::uint32_t> ids;
-  for (const auto* fronts : {&live_, &remembered_})
-    for (const auto& entry : *fronts) ids.insert(entry.first);
+  for (const auto& entry : live_) ids.insert(entry.first);
+  for (const auto& entry : remembered_) ids.insert(entry.first);
   std::string others;
   for (const std::uint32_t other : ids) others += (others.empty() ? "" : ", ") + std::to_string(other);
   throw ModelError(
@@ -74,27 +87,29 @@ const LearnedModel& KnownFronts::at(std::uint32_t id) const {
            : "; the fronts known are " + others));
 }
 
-std::map<std::uint32_t, const KnownFront*> KnownFronts::worthKeeping() const {
-  std::map<std::uint32_t, const KnownFront*> all;
-  for (const auto& [id, front] : remembered_) all[id] = &front;
-  for (const auto& [id, front] : live_)
-    if (isWorthKeeping(front.model)) all[id] = &front;
+auto KnownFronts::worthKeeping() const -> std::map<std::uint32_t, Kept> {
+  std::map<std::uint32_t, Kept> all;
+  for (const auto& [id, front] : remembered_) all[id] = {&front.model, &front.track};
+  for (const auto& [id, model] : live_)
+    if (isWorthKeeping(model)) all[id] = {&model, trackOf(id)};
   return all;
 }
 
 std::vector<KnownFront> KnownFronts::joints() const {
   std::vector<KnownFront> result;
-  for (const auto& entry : worthKeeping()) result.push_back(*entry.second);
+  for (const auto& [id, kept] : worthKeeping()) result.push_back({*kept.model, kept.track != nullptr ? *kept.track : Track()});
   return result;
 }
 
 std::vector<LearnedModel> KnownFronts::jointModels() const {
   std::vector<LearnedModel> result;
-  for (const auto& entry : worthKeeping()) result.push_back(entry.second->model);
+  for (const auto& entry : worthKeeping()) result.push_back(*entry.second.model);
   return result;
 }
 
 void KnownFronts::replace(std::vector<KnownFront> fronts) {
+  tracks_.clear();
+  ended_.clear();
   live_.clear();
   remembered_.clear();
   for (KnownFront& front : fronts) remember(std::move(front));

@@ -95,12 +95,12 @@ class ArticulationNodelet : public StageNodelet {
         store_->startAfresh();
         last_transforms_ = ros::Time();
       }
-      std::vector<core::Track> fronts = fromMessage(tracks);
-      store_->dropForgotten(&fronts);
-      const std::vector<core::LearnedModel> models = learner_->process(fronts);
+      std::vector<core::TrackUpdate> updates = fromMessage(tracks);
+      store_->dropForgotten(&updates);
+      const std::vector<core::LearnedModel> models = learner_->process(store_->follow(std::move(updates)));
       health().note("models", static_cast<double>(models.size()));
       health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
-      store_->update(std::move(fronts), models);
+      store_->update(models);
       sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
       if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
       broadcast(models, header);

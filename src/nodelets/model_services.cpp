@@ -100,7 +100,7 @@ void ModelServices::configuration(const Configuration::Request& request, Configu
 }
 
 void ModelServices::fitTrack(const FitTrack::Request& request, FitTrack::Response* response) {
-  const core::Track track = fromMessage(request.track);
+  const core::Track track = wholeTrack(request.track);
   if (track.observations.empty()) throw core::ModelError("the track has no poses");
   core::ArticulationConfig config;
   {

@@ -136,16 +136,21 @@ std::string ModelStore::followFrame(const std::string& frame_id) {
          "', so it is forgotten; see fixed_frame";
 }
 
-void ModelStore::dropForgotten(std::vector<core::Track>* tracks) const {
+void ModelStore::dropForgotten(std::vector<core::TrackUpdate>* tracks) const {
   std::lock_guard<std::mutex> lock(mutex_);
-  const auto is_forgotten = [this](const core::Track& track) { return forgotten_.count(track.id) > 0; };
+  const auto is_forgotten = [this](const core::TrackUpdate& update) { return forgotten_.count(update.track.id) > 0; };
   tracks->erase(std::remove_if(tracks->begin(), tracks->end(), is_forgotten), tracks->end());
 }
 
-void ModelStore::update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models) {
+const std::vector<core::Track>& ModelStore::follow(std::vector<core::TrackUpdate> updates) {
   std::lock_guard<std::mutex> lock(mutex_);
-  for (const core::Track& track : tracks) next_id_ = std::max(next_id_, idAfter(track.id));
-  known_.update(std::move(tracks), models);
+  for (const core::TrackUpdate& update : updates) next_id_ = std::max(next_id_, idAfter(update.track.id));
+  return known_.follow(std::move(updates));
+}
+
+void ModelStore::update(const std::vector<core::LearnedModel>& models) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  known_.update(models);
 }
 
 core::LearnedModel ModelStore::modelOf(std::uint32_t id, std::string* frame_id) const {

@@ -63,10 +63,13 @@ class ModelStore {
   std::string followFrame(const std::string& frame_id);
 
   /// Tracks that were published before the tracker forgot them.
-  void dropForgotten(std::vector<core::Track>* tracks) const;
+  void dropForgotten(std::vector<core::TrackUpdate>* tracks) const;
 
-  /// What one frame gave.
-  void update(std::vector<core::Track> tracks, const std::vector<core::LearnedModel>& models);
+  /// One frame's tracks, put together; valid until the next call. With learning() held.
+  const std::vector<core::Track>& follow(std::vector<core::TrackUpdate> updates);
+
+  /// Their models.
+  void update(const std::vector<core::LearnedModel>& models);
 
   /// Time was set back: joints stay known, as if they had been saved and loaded again; all else is forgotten. To be called
   /// with learning() held.

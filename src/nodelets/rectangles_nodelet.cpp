@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pluginlib/class_list_macros.hpp>
 
+#include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
@@ -22,7 +23,7 @@ class RectanglesNodelet : public StageNodelet {
   struct Input {
     FrameMessages frame;
     PlaneArrayConstPtr planes;
-    RectangleArrayConstPtr expected;
+    ExpectedFrontArrayConstPtr expected;
   };
 
   void start() override {
@@ -44,7 +45,7 @@ class RectanglesNodelet : public StageNodelet {
     ros::NodeHandle& nh = getNodeHandle();
     frames_->subscribe(nh, {});
     planes_topic_.subscribe<PlaneArray>(nh, "planes", [this](const auto& planes) { add(planes); });
-    expected_topic_.subscribe<RectangleArray>(nh, "expected_rectangles", [this](const auto& expected) { expected_ = expected; });
+    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", [this](const auto& expected) { expected_ = expected; });
   }
 
   void unsubscribe() override {
@@ -69,25 +70,21 @@ class RectanglesNodelet : public StageNodelet {
     });
   }
 
-  /// The expected rectangles as the camera would see them now; none while tf does not know.
-  std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, const RectangleArrayConstPtr& message) {
-    if (!message || message->rectangles.empty()) return {};
-    std::vector<core::Rectangle> expected;
+  /// The expected fronts as the camera would see them now; none while tf does not know.
+  std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, const ExpectedFrontArrayConstPtr& message) {
+    if (!message || message->fronts.empty()) return {};
     try {
-      const Eigen::Isometry3d T_camera_fixed = transforms_.lookup(camera.frame_id, message->header.frame_id, camera.stamp, 0);
-      for (const core::DetectedRectangle& detected : fromMessage(*message)) {
-        expected.push_back(detected.rectangle);
-        expected.back().pose = T_camera_fixed * detected.rectangle.pose;
-      }
+      const Eigen::Isometry3d T_fixed_camera = transforms_.lookup(message->header.frame_id, camera.frame_id, camera.stamp, 0);
+      return core::expectedInCamera(fromMessage(*message), camera.stamp.toSec(), T_fixed_camera);
     } catch (const std::runtime_error& error) {
-      trouble("expected rectangles", error.what());
+      trouble("expected fronts", error.what());
+      return {};
     }
-    return expected;
   }
 
   std::unique_ptr<core::RectangleDetector> detector_;
   TransformSource transforms_;
-  RectangleArrayConstPtr expected_;
+  ExpectedFrontArrayConstPtr expected_;
   ros::Publisher rectangles_;
   std::unique_ptr<LatestWorker<Input>> worker_;
   std::unique_ptr<FrameInput> frames_;

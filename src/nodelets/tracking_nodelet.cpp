@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cabinet_articulation/KnownFrontArray.h>
 
+#include <atomic>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
@@ -41,18 +42,24 @@ class TrackingNodelet : public StageNodelet {
       std::lock_guard<std::mutex> lock(known_mutex_);
       new_known_ = fronts;
     });
-    tracks_ = advertise<TrackArray>("tracks");
-    // A hint for the detector, whose interest alone must not keep both stages working.
-    expected_ = getNodeHandle().advertise<RectangleArray>("expected_rectangles", 1);
+    tracks_ = advertise<TrackArray>("tracks", [this](const auto&) { somebody_joined_ = true; });
   }
 
   void subscribe() override {
+    // Offered only while this stage works, so that the detector knows whether to wait for it. A hint for the detector, whose
+    // interest alone must not keep both stages working.
+    std::lock_guard<std::mutex> lock(expected_mutex_);
+    expected_ = getNodeHandle().advertise<ExpectedFrontArray>("expected_fronts", 1);
     rectangles_topic_.subscribe<RectangleArray>(getNodeHandle(), "rectangles", [this](const auto& rectangles) {
       if (worker_->put(rectangles)) health().dropped();
     });
   }
 
-  void unsubscribe() override { rectangles_topic_.shutdown(); }
+  void unsubscribe() override {
+    rectangles_topic_.shutdown();
+    std::lock_guard<std::mutex> lock(expected_mutex_);
+    expected_.shutdown();
+  }
 
   void process(const RectangleArray& rectangles) {
     std_msgs::Header header = rectangles.header;
@@ -71,13 +78,17 @@ class TrackingNodelet : public StageNodelet {
       takeOverKnownFronts(header);
       const Eigen::Isometry3d T_fixed_camera =
           transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
-      const auto& tracks = tracker_->process(header.stamp.toSec(), core::transformed(fromMessage(rectangles), T_fixed_camera));
+      const double stamp = header.stamp.toSec();
+      const auto& tracks = tracker_->process(stamp, core::transformed(fromMessage(rectangles), T_fixed_camera));
       health().note("tracks", static_cast<double>(tracks.size()));
-      TrackArray message = toMessage(tracks, header);
+      if (somebody_joined_.exchange(false)) updates_.startAnew();
+      TrackArray message = toMessage(updates_.of(tracks, stamp), header);
       message.generation = generation_;
       publish(tracks_, std::move(message));
-      publishExpected(header);
     });
+    // Also after a frame that could not be used: the detector waits for this.
+    std::lock_guard<std::mutex> lock(expected_mutex_);
+    if (expected_) publish(expected_, toMessage(tracker_->expected(), header));
   }
 
   void takeOverKnownFronts(const std_msgs::Header& header) {
@@ -101,6 +112,7 @@ class TrackingNodelet : public StageNodelet {
   /// Knows nothing but what was learned in earlier runs.
   void startAfresh(const std_msgs::Header& header) {
     tracker_->reset();
+    updates_.startAnew();
     remember(header);
   }
 
@@ -112,22 +124,14 @@ class TrackingNodelet : public StageNodelet {
       return;
     }
     std::vector<core::Track> fronts;
-    for (const Track& track : known_->tracks) fronts.push_back(fromMessage(track));
+    for (const Track& track : known_->tracks) fronts.push_back(wholeTrack(track));
     tracker_->remember(std::move(fronts));
-  }
-
-  void publishExpected(const std_msgs::Header& header) {
-    if (expected_.getNumSubscribers() == 0) return;
-    std::vector<core::DetectedRectangle> expected;
-    for (const core::Rectangle& rectangle : tracker_->expected()) {
-      expected.emplace_back();
-      expected.back().rectangle = rectangle;
-    }
-    publish(expected_, toMessage(expected, header));
   }
 
   FixedFrameConfig fixed_frame_;
   std::unique_ptr<core::RectangleTracker> tracker_;
+  core::TrackUpdates updates_;
+  std::atomic<bool> somebody_joined_{false};  ///< since the last frame
   TransformSource transforms_;
   ClockJump clock_jump_;
   ros::Subscriber known_fronts_;
@@ -136,7 +140,9 @@ class TrackingNodelet : public StageNodelet {
   KnownFrontArrayConstPtr known_;
   std::string frame_id_;          ///< of the tracks
   std::uint32_t generation_ = 0;  ///< of the known fronts the tracker started from
-  ros::Publisher tracks_, expected_;
+  ros::Publisher tracks_;
+  std::mutex expected_mutex_;  ///< guards expected_
+  ros::Publisher expected_;
   std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;
   WatchedSubscriber rectangles_topic_;
 };

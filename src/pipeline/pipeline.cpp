@@ -4,6 +4,8 @@
 #include <chrono>
 #include <filesystem>
 
+#include "cabinet_articulation/pipeline/as_sent.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -19,12 +21,6 @@ auto timed(double& milliseconds, Stage&& stage) {
 template <class Config>
 Config loadOrDefault(const std::string& path, std::vector<std::string>* warnings) {
   return std::filesystem::exists(path) ? loadConfig<Config>(path, warnings) : Config();
-}
-
-std::vector<Rectangle> inCamera(std::vector<Rectangle> rectangles, const Eigen::Isometry3d& T_fixed_camera) {
-  const Eigen::Isometry3d T_camera_fixed = T_fixed_camera.inverse();
-  for (Rectangle& rectangle : rectangles) rectangle.pose = T_camera_fixed * rectangle.pose;
-  return rectangles;
 }
 
 }  // namespace
@@ -62,17 +58,30 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.frame = frame;
   result.planes = timed(times.planes, [&] { return planes_.process(frame); });
   result.rectangles = timed(times.rectangles, [&] {
-    return rectangles_.process(frame, result.planes, inCamera(tracking_.expected(stamp), T_fixed_camera));
+    return rectangles_.process(frame, result.planes, expectedInCamera(asSent(tracking_.expected()), stamp, T_fixed_camera));
   });
-  result.tracks =
-      timed(times.tracking, [&] { return &tracking_.process(stamp, transformed(result.rectangles, T_fixed_camera)); });
-  result.models = timed(times.articulation, [&] { return articulation_.process(*result.tracks); });
+  result.track_updates = timed(times.tracking, [&] {
+    return updates_.of(tracking_.process(stamp, transformed(asSent(result.rectangles), T_fixed_camera)), stamp);
+  });
+  result.models = timed(times.articulation, [&] {
+    result.tracks = &assembly_.add(asSent(result.track_updates));
+    return articulation_.process(*result.tracks);
+  });
   return result;
 }
 
 void Pipeline::reset() {
   tracking_.reset();
+  updates_.startAnew();
+  assembly_.clear();
   articulation_.reset();
+}
+
+std::vector<Rectangle> expectedInCamera(const ExpectedFronts& fronts, double stamp, const Eigen::Isometry3d& T_fixed_camera) {
+  const Eigen::Isometry3d T_camera_fixed = T_fixed_camera.inverse();
+  std::vector<Rectangle> rectangles = fronts.at(stamp);
+  for (Rectangle& rectangle : rectangles) rectangle.pose = T_camera_fixed * rectangle.pose;
+  return rectangles;
 }
 
 std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles,

@@ -6,33 +6,9 @@
 
 #include "cabinet_articulation/articulation/model_registry.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "from_messages.h"
 
 namespace cabinet_articulation {
-namespace {
-
-/// fromMessage for every element; an error says which element it was.
-template <class Core, class Message>
-std::vector<Core> fromMessages(const std::vector<Message>& messages, const char* name) {
-  std::vector<Core> result;
-  result.reserve(messages.size());
-  for (const Message& message : messages) {
-    try {
-      result.push_back(fromMessage(message));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(name + ("[" + std::to_string(result.size()) + "]: ") + error.what());
-    }
-  }
-  return result;
-}
-
-/// Lists that hold `count` values for each pose of a track; an optional list may also be empty.
-void requireLength(const char* name, size_t length, size_t poses, size_t count, bool optional) {
-  if (length == poses * count || (optional && length == 0)) return;
-  throw std::invalid_argument(std::string(name) + " has " + std::to_string(length) + " elements, expected " +
-                              std::to_string(poses * count) + " for " + std::to_string(poses) + " poses");
-}
-
-}  // namespace
 
 Rectangle toMessage(const core::DetectedRectangle& rectangle) {
   Rectangle message;
@@ -70,89 +46,35 @@ std::vector<core::DetectedRectangle> fromMessage(const RectangleArray& message) 
   return fromMessages<core::DetectedRectangle>(message.rectangles, "rectangles");
 }
 
-Track toMessage(const core::Track& track, const std::string& frame_id) {
-  Track message;
-  message.header.frame_id = frame_id;
-  if (!track.observations.empty()) message.header.stamp = toStamp(track.observations.back().stamp);
-  message.id = track.id;
-  message.width = track.width;
-  message.height = track.height;
-  const size_t count = track.observations.size();
-  message.stamps.reserve(count);
-  message.poses.reserve(count);
-  message.widths.reserve(count);
-  message.heights.reserve(count);
-  message.covariances.reserve(36 * count);
-  message.edge_support.reserve(4 * count);
-  for (const core::TrackedObservation& observation : track.observations) {
-    message.stamps.push_back(toStamp(observation.stamp));
-    message.poses.push_back(toMessage(observation.rectangle.pose));
-    message.widths.push_back(observation.rectangle.width);
-    message.heights.push_back(observation.rectangle.height);
-    const auto covariance = toMessage(observation.covariance);
-    message.covariances.insert(message.covariances.end(), covariance.begin(), covariance.end());
-    message.edge_support.insert(message.edge_support.end(), observation.edge_support.begin(), observation.edge_support.end());
-  }
-  return message;
-}
-
-core::Track fromMessage(const Track& message) {
-  const size_t count = message.poses.size();
-  requireLength("stamps", message.stamps.size(), count, 1, false);
-  requireLength("widths", message.widths.size(), count, 1, true);
-  requireLength("heights", message.heights.size(), count, 1, true);
-  requireLength("covariances", message.covariances.size(), count, 36, true);
-  requireLength("edge_support", message.edge_support.size(), count, 4, true);
-  core::Track track;
-  track.id = message.id;
-  track.width = message.width;
-  track.height = message.height;
-  const std::vector<Eigen::Isometry3d> poses = fromMessages<Eigen::Isometry3d>(message.poses, "poses");
-  track.observations.resize(count);
-  for (size_t i = 0; i < count; ++i) {
-    core::TrackedObservation& observation = track.observations[i];
-    observation.stamp = message.stamps[i].toSec();
-    observation.rectangle.pose = poses[i];
-    observation.rectangle.width = message.widths.empty() ? message.width : message.widths[i];
-    observation.rectangle.height = message.heights.empty() ? message.height : message.heights[i];
-    if (!message.covariances.empty())
-      observation.covariance = Eigen::Map<const core::Matrix6d>(&message.covariances[36 * i]).transpose();
-    if (!message.edge_support.empty()) std::copy_n(&message.edge_support[4 * i], 4, observation.edge_support.begin());
-    // What was placed by the track's size is the best that is known of what was measured.
-    observation.measured = observation.rectangle;
-    observation.measured_covariance = observation.covariance;
-  }
-  return track;
-}
-
-TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header) {
-  TrackArray message;
-  message.header = header;
-  message.tracks.reserve(tracks.size());
-  for (const core::Track& track : tracks) message.tracks.push_back(toMessage(track, header.frame_id));
-  return message;
-}
-
-std::vector<core::Track> fromMessage(const TrackArray& message) { return fromMessages<core::Track>(message.tracks, "tracks"); }
-
 ArticulationModel toMessage(const core::LearnedModel& model, const std::string& frame_id) {
   ArticulationModel message;
   message.header.stamp = toStamp(model.stamp);
   message.header.frame_id = frame_id;
   message.id = model.id;
+  message.name = model.name;
   message.type = static_cast<std::uint8_t>(model.type);
   message.probabilities = model.probabilities;
   message.moved = model.moved;
   message.explained = model.explained;
+  message.observed = model.observed;
+  message.hollow = model.hollow;
+  message.support = model.support;
+  message.doubt = model.doubt;
+  message.parent = model.parent;
+  message.parent_probability = model.parent_probability;
   message.origin = toMessage(model.origin);
   message.axis = toVector(model.axis);
   message.axis_point = toPoint(model.axis_point);
+  message.pitch = model.pitch;
   message.radius = model.radius;
   message.q = model.q;
   message.q_min = model.q_min;
   message.q_max = model.q_max;
   message.q_min_is_end = model.q_min_is_end;
   message.q_max_is_end = model.q_max_is_end;
+  message.q_closed = model.q_closed;
+  message.closed_known = model.closed_known;
+  message.opening = model.opening;
   for (const Eigen::Isometry3d& pose : model.curve) message.curve.push_back(toMessage(pose));
   message.width = model.width;
   message.height = model.height;
@@ -177,19 +99,30 @@ core::LearnedModel fromMessage(const ArticulationModel& message) {
   core::LearnedModel model;
   model.id = message.id;
   model.stamp = message.header.stamp.toSec();
+  model.name = message.name;
   model.type = static_cast<core::JointType>(message.type);
   model.probabilities = message.probabilities;
   model.moved = message.moved;
   model.explained = message.explained;
+  model.observed = message.observed;
+  model.hollow = message.hollow;
+  model.support = message.support;
+  model.doubt = message.doubt;
+  model.parent = message.parent;
+  model.parent_probability = message.parent_probability;
   model.origin = fromMessage(message.origin);
   model.axis = fromMessage(message.axis);
   model.axis_point = fromMessage(message.axis_point);
+  model.pitch = message.pitch;
   model.radius = message.radius;
   model.q = message.q;
   model.q_min = message.q_min;
   model.q_max = message.q_max;
   model.q_min_is_end = message.q_min_is_end;
   model.q_max_is_end = message.q_max_is_end;
+  model.q_closed = message.q_closed;
+  model.closed_known = message.closed_known;
+  model.opening = message.opening;
   for (const geometry_msgs::Pose& pose : message.curve) model.curve.push_back(fromMessage(pose));
   model.width = message.width;
   model.height = message.height;

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cabinet_articulation/geometry/unit_quaternion.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -33,7 +35,7 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
 geometry_msgs::Pose toMessage(const Eigen::Isometry3d& pose) {
   geometry_msgs::Pose message;
   message.position = toPoint(pose.translation());
-  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
+  const Eigen::Quaterniond q = core::toQuaternion(pose.linear());
   message.orientation.x = q.x();
   message.orientation.y = q.y();
   message.orientation.z = q.z();
@@ -54,7 +56,7 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& message) {
     throw std::invalid_argument(text.str());
   }
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = q.normalized().toRotationMatrix();
+  pose.linear() = core::toRotation(q);
   pose.translation() = p;
   return pose;
 }

@@ -103,7 +103,7 @@ class Run {
                                                           rectified(1, right->image, *pair.right_info), camera, T_fixed_camera);
     summary_.add(result);
     if (!output_) output_.emplace(options_.output);
-    output_->write(header, core::transformed(result.rectangles, T_fixed_camera), *result.tracks, result.models);
+    output_->write(header, core::transformed(result.rectangles, T_fixed_camera), result.track_updates, result.models);
   }
 
   cv::Mat rectified(int side, const cv::Mat& image, const sensor_msgs::CameraInfo& info) {

@@ -7,23 +7,6 @@
 #include "cabinet_articulation/ros/conversions.h"
 
 namespace cabinet_articulation {
-namespace {
-
-constexpr size_t kWrittenHistory = 100;  ///< observations
-
-/// A track without the older part of its history.
-core::Track recentPart(const core::Track& track) {
-  core::Track recent;
-  recent.id = track.id;
-  recent.width = track.width;
-  recent.height = track.height;
-  recent.revision = track.revision;
-  const size_t count = std::min(track.observations.size(), kWrittenHistory);
-  recent.observations.assign(track.observations.end() - count, track.observations.end());
-  return recent;
-}
-
-}  // namespace
 
 ResultBag::ResultBag(const std::string& path) : path_(path) {
   try {
@@ -43,12 +26,9 @@ void ResultBag::add(const std::string& topic, const std_msgs::Header& header, co
 }
 
 void ResultBag::write(const std_msgs::Header& header, const std::vector<core::DetectedRectangle>& rectangles,
-                      const std::vector<core::Track>& tracks, const std::vector<core::LearnedModel>& models) {
-  std::vector<core::Track> recent;
-  recent.reserve(tracks.size());
-  for (const core::Track& track : tracks) recent.push_back(recentPart(track));
+                      const std::vector<core::TrackUpdate>& tracks, const std::vector<core::LearnedModel>& models) {
   add("/cabinet/rectangles", header, toMessage(rectangles, header));
-  add("/cabinet/tracks", header, toMessage(recent, header));
+  add("/cabinet/tracks", header, toMessage(tracks, header));
   add("/cabinet/models", header, toMessage(models, header));
 }
 

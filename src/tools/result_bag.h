@@ -17,9 +17,9 @@ class ResultBag {
  public:
   explicit ResultBag(const std::string& path);
 
-  /// One frame. Tracks carry their last 100 observations, so that the file grows with the input and not with its square.
+  /// One frame. Tracks hold what is new, as the nodelet publishes them.
   void write(const std_msgs::Header& header, const std::vector<core::DetectedRectangle>& rectangles,
-             const std::vector<core::Track>& tracks, const std::vector<core::LearnedModel>& models);
+             const std::vector<core::TrackUpdate>& tracks, const std::vector<core::LearnedModel>& models);
 
   /// The whole histories, in a last message on /cabinet/tracks.
   void close(const std_msgs::Header& header, const std::vector<core::Track>& tracks);

@@ -19,14 +19,18 @@ namespace {
 
 constexpr char kUsage[] = "usage: track_writer IN.bag FOLDER\n";
 
-std::map<std::uint32_t, Track> lastTracks(const std::string& path) {
+std::map<std::uint32_t, core::Track> lastTracks(const std::string& path) {
   const rosbag::Bag bag(path, rosbag::bagmode::Read);
-  std::map<std::uint32_t, Track> tracks;
+  core::TrackAssembly assembly;
+  std::map<std::uint32_t, core::Track> ended;
   for (const rosbag::MessageInstance& entry : rosbag::View(bag)) {
     const TrackArrayConstPtr message = entry.instantiate<TrackArray>();
     if (!message) continue;
-    for (const Track& track : message->tracks) tracks[track.id] = track;
+    assembly.add(fromMessage(*message));
+    for (const core::Track& track : assembly.ended()) ended[track.id] = track;
   }
+  std::map<std::uint32_t, core::Track> tracks = std::move(ended);
+  for (const core::Track& track : assembly.tracks()) tracks[track.id] = track;
   return tracks;
 }
 
@@ -35,9 +39,9 @@ void write(const std::string& bag, const std::filesystem::path& folder) {
   for (const auto& [id, track] : lastTracks(bag)) {
     const std::filesystem::path path = folder / ("track_" + std::to_string(id) + ".log");
     std::ofstream out(path);
-    core::writePoseLog(fromMessage(track), out);
+    core::writePoseLog(track, out);
     if (!out.flush()) throw std::runtime_error(path.string() + " cannot be written");
-    std::printf("%s: %zu poses\n", path.c_str(), track.poses.size());
+    std::printf("%s: %zu poses\n", path.c_str(), track.observations.size());
   }
 }
 

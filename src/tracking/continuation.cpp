@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cabinet_articulation/tracking/expected_fronts.h"
 #include "cabinet_articulation/tracking/history.h"
 #include "cabinet_articulation/tracking/motion_gate.h"
 #include "cabinet_articulation/tracking/placement.h"
@@ -44,7 +45,7 @@ std::optional<Continuation> findContinuation(const Track& track, const TrackMemo
   const double now = std::isfinite(gap) ? stamp : gap;  // the time of the history may be another one then
   const KnownPlace newest = placeOf(track.observations.back());
   consider(newest, gap);
-  consider({extrapolate(track.observations, now, config.prediction_horizon), newest.covariance}, 0);
+  consider({newestMotion(track.observations).at(now, config.prediction_horizon), newest.covariance}, 0);
   if (gap > config.prediction_horizon) consider(placeOf(nearestObservation(track.observations, detection.rectangle.center())), 0);
   return best;
 }

@@ -6,28 +6,6 @@
 #include "cabinet_articulation/tracking/motion_gate.h"
 
 namespace cabinet_articulation::core {
-namespace {
-constexpr double kVelocityBase = 0.1;  ///< [s] long enough that noise of millimetres gives centimetres a second
-constexpr double kLongestBase = 0.5;   ///< [s] an older observation says nothing about the velocity now
-}  // namespace
-
-Rectangle extrapolate(const std::vector<TrackedObservation>& history, double stamp, double horizon) {
-  const TrackedObservation& newest = history.back();
-  Rectangle predicted = newest.rectangle;
-  for (auto older = history.rbegin() + 1; older != history.rend(); ++older) {
-    const double base = newest.stamp - older->stamp;
-    if (base > kLongestBase) break;
-    if (base < kVelocityBase) continue;
-    const double ahead = stamp - newest.stamp;
-    const double ratio = ahead > 0 ? std::min(ahead, horizon) / base : 0;
-    const Eigen::AngleAxisd turn(newest.rectangle.pose.linear() * older->rectangle.pose.linear().transpose());
-    predicted.pose.translation() += ratio * (newest.rectangle.center() - older->rectangle.center());
-    predicted.pose.linear() = Eigen::AngleAxisd(ratio * turn.angle(), turn.axis()) * newest.rectangle.pose.linear();
-    break;
-  }
-  return predicted;
-}
-
 const TrackedObservation& nearestObservation(const std::vector<TrackedObservation>& history, const Eigen::Vector3d& p_fixed) {
   const auto nearer = [&p_fixed](const TrackedObservation& a, const TrackedObservation& b) {
     return (a.rectangle.center() - p_fixed).squaredNorm() < (b.rectangle.center() - p_fixed).squaredNorm();

@@ -109,18 +109,19 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
   return live_.tracks;
 }
 
-std::vector<Rectangle> RectangleTracker::expected(double stamp) const {
-  std::vector<Rectangle> places;
+ExpectedFronts RectangleTracker::expected() const {
+  ExpectedFronts expected;
+  expected.horizon = config_.prediction_horizon;
   for (size_t i = 0; i < live_.tracks.size(); ++i) {
     const Track& track = live_.tracks[i];
     const KnownSize& size = live_.memories[i].size.known();
     const bool lost = last_stamp_ - track.observations.back().stamp > config_.tentative_timeout;
     if (!isConfirmed(track, config_) || lost || size.sigma.maxCoeff() > kProposedSigma) continue;
-    places.push_back(extrapolate(track.observations, stamp, config_.prediction_horizon));
-    places.back().width = size.value.x();
-    places.back().height = size.value.y();
+    expected.fronts.push_back(newestMotion(track.observations));
+    expected.fronts.back().rectangle.width = size.value.x();
+    expected.fronts.back().rectangle.height = size.value.y();
   }
-  return places;
+  return expected;
 }
 
 bool RectangleTracker::flickers(const TrackMemory& memory) const {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cabinet_articulation/tracking/history.h"
+#include "cabinet_articulation/tracking/expected_fronts.h"
 #include "cabinet_articulation/tracking/track_memory.h"
 
 namespace cabinet_articulation::core {
@@ -20,7 +20,7 @@ bool isPartOf(const Track& track, const Rectangle& part, double stamp, const Tra
   const Eigen::Vector3d way = newest.rectangle.center() - track.observations.front().rectangle.center();
   if (!isConfirmed(track, config) || stamp - newest.stamp > kRecent || way.norm() < kMoved) return false;
   const Rectangle front =
-      newest.stamp == stamp ? newest.rectangle : extrapolate(track.observations, stamp, config.prediction_horizon);
+      newest.stamp == stamp ? newest.rectangle : newestMotion(track.observations).at(stamp, config.prediction_horizon);
   if (std::abs(front.normal().dot(part.normal())) < kCosine || std::abs(front.plane().distance(part.center())) > kDistance)
     return false;
   const double area = part.width * part.height, overlap = intersectionOverUnion(front, part);

@@ -19,9 +19,10 @@ Track trackOf(const LearnedModel& model) {
 }
 
 void see(KnownFronts* known, const std::vector<LearnedModel>& models) {
-  std::vector<Track> tracks;
-  for (const LearnedModel& model : models) tracks.push_back(trackOf(model));
-  known->update(tracks, models);
+  std::vector<TrackUpdate> tracks;
+  for (const LearnedModel& model : models) tracks.push_back({trackOf(model)});
+  known->follow(std::move(tracks));
+  known->update(models);
 }
 
 TEST(KnownFronts, SaysWhichFrontsThereAre) {
@@ -120,7 +121,8 @@ TEST(KnownFronts, MemoryIsBoundedAndTheLeastSeenGoFirst) {
     model.observations = id % 2 == 0 ? 500 : 20 + static_cast<int>(id);
     Track track = trackOf(model);
     track.observations.resize(1000);
-    known.update({track}, {model});
+    known.follow({{track}});
+    known.update({model});
   }
   see(&known, {});
   const std::vector<KnownFront> joints = known.joints();

@@ -38,7 +38,7 @@ def services():
 
 
 def is_established(model):
-    return model.moved and any(param.name == 'support' and param.value > 0 for param in model.params)
+    return model.moved and model.support > 0
 
 
 def rosnode_kill(process):

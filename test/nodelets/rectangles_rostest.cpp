@@ -70,19 +70,20 @@ TEST_F(RectanglesNodelet, FindsTheFront) {
 }
 
 TEST_F(RectanglesNodelet, ExpectationsThatCannotBePlacedNeverBlock) {
-  ros::Publisher expected = nh_.advertise<RectangleArray>("expected_rectangles", 1);
+  ros::Publisher expected = nh_.advertise<ExpectedFrontArray>("expected_fronts", 1);
   ASSERT_TRUE(spinUntil([&] { return expected.getNumSubscribers() > 0; }));
-  core::DetectedRectangle hint;
-  hint.rectangle = scene_.front;
+  core::ExpectedFronts hint;
+  hint.fronts.resize(1);
+  hint.fronts[0].rectangle = scene_.front;
   std_msgs::Header header;
   header.frame_id = "nowhere";
-  expected.publish(toMessage(std::vector<core::DetectedRectangle>{hint}, header));
+  expected.publish(toMessage(hint, header));
   EXPECT_TRUE(spinUntil([&] {
     expectFront(answer(), scene_.front);
     return reports_.statusHas("rectangles", "no transform from 'nowhere' to 'optical'");
   })) << reports_.status("rectangles");
   header.frame_id = "optical";
-  expected.publish(toMessage(std::vector<core::DetectedRectangle>{hint}, header));
+  expected.publish(toMessage(hint, header));
   expectFront(answer(), scene_.front);
 }
 

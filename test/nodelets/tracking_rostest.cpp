@@ -124,12 +124,12 @@ TEST_F(TrackingNodelet, FrontRestsWhileTheCameraMoves) {
 }
 
 TEST_F(TrackingNodelet, TellsTheDetectorWhatToExpect) {
-  const Recorder<RectangleArray> expected("expected_rectangles");
+  const Recorder<ExpectedFrontArray> expected("expected_fronts");
   ASSERT_TRUE(spinUntil([&] { return expected.connected(); }));
   play(0, 15);
-  ASSERT_TRUE(spinUntil([&] { return !expected.messages.empty() && !expected.messages.back()->rectangles.empty(); }));
+  ASSERT_TRUE(spinUntil([&] { return !expected.messages.empty() && !expected.messages.back()->fronts.empty(); }));
   EXPECT_EQ(expected.messages.back()->header.frame_id, "map");
-  const core::DetectedRectangle hint = fromMessage(expected.messages.back()->rectangles[0]);
+  const core::ExpectedFront hint = fromMessage(expected.messages.back()->fronts[0]);
   EXPECT_LT((hint.rectangle.center() - front().rectangle.center()).norm(), 0.005);
 }
 

@@ -55,6 +55,8 @@ core::Track exampleTrack() {
     observation.rectangle = {examplePose(0.1 * i), 0.4 + 0.01 * i, 0.6 - 0.01 * i};
     observation.covariance = exampleCovariance(i);
     observation.edge_support = {1, 0, 0.5F * static_cast<float>(i), 0.125};
+    observation.measured = {examplePose(0.3 * i), 0.3 + 0.01 * i, 0.5 - 0.01 * i};
+    observation.measured_covariance = exampleCovariance(i + 1);
     track.observations.push_back(observation);
   }
   return track;
@@ -68,6 +70,16 @@ core::LearnedModel exampleModel() {
   model.probabilities = {0.01, 0.02, 0.97};
   model.moved = true;
   model.explained = false;
+  model.name = "oven";
+  model.observed = false;
+  model.hollow = model.closed_known = true;
+  model.support = 12;
+  model.doubt = 0.3;
+  model.parent = 4;
+  model.parent_probability = 0.7;
+  model.pitch = 0.01;
+  model.q_closed = -0.2;
+  model.opening = 0.8;
   model.origin = examplePose();
   model.axis = Eigen::Vector3d(0, -0.6, 0.8);
   model.axis_point = Eigen::Vector3d(1, 2, 3);
@@ -142,7 +154,7 @@ TEST(TrackConversion, KeepsEveryObservation) {
   const Track message = toMessage(track, "map");
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.header.stamp, ros::Time(102, 250000000));
-  const core::Track back = fromMessage(message);
+  const core::Track back = wholeTrack(message);
   EXPECT_EQ(back.id, track.id);
   EXPECT_EQ(back.width, track.width);
   EXPECT_EQ(back.height, track.height);
@@ -153,6 +165,10 @@ TEST(TrackConversion, KeepsEveryObservation) {
     EXPECT_EQ(back.observations[i].rectangle.width, track.observations[i].rectangle.width);
     EXPECT_EQ(back.observations[i].rectangle.height, track.observations[i].rectangle.height);
     EXPECT_EQ(back.observations[i].covariance, track.observations[i].covariance);
+    EXPECT_TRUE(back.observations[i].measured.pose.isApprox(track.observations[i].measured.pose, 1e-12));
+    EXPECT_EQ(back.observations[i].measured.width, track.observations[i].measured.width);
+    EXPECT_EQ(back.observations[i].measured.height, track.observations[i].measured.height);
+    EXPECT_EQ(back.observations[i].measured_covariance, track.observations[i].measured_covariance);
     EXPECT_EQ(back.observations[i].edge_support, track.observations[i].edge_support);
   }
 }
@@ -163,9 +179,14 @@ TEST(TrackConversion, OptionalListsMayBeMissing) {
   message.heights.clear();
   message.covariances.clear();
   message.edge_support.clear();
-  const core::Track track = fromMessage(message);
+  for (std::vector<double>* list : {&message.measured_widths, &message.measured_heights, &message.measured_covariances})
+    list->clear();
+  message.measured_poses.clear();
+  const core::Track track = wholeTrack(message);
   EXPECT_EQ(track.observations[2].rectangle.width, message.width);
   EXPECT_EQ(track.observations[2].covariance, core::Matrix6d::Zero());
+  EXPECT_EQ(track.observations[2].measured.width, message.width);
+  EXPECT_EQ(track.observations[2].measured.pose.matrix(), track.observations[2].rectangle.pose.matrix());
   EXPECT_EQ(track.observations[2].edge_support, (std::array<float, 4>{1, 1, 1, 1}));
 }
 
@@ -181,10 +202,28 @@ TEST(TrackConversion, RefusesListsOfDifferentLengthAndNamesThem) {
   EXPECT_EQ(test::errorOf([&] { fromMessage(message); }).find("tracks[0]: poses[1]: position is"), 0u);
 }
 
+TEST(TrackConversion, APartIsNoWholeTrack) {
+  const Track message = toMessage(core::TrackUpdate{exampleTrack(), 12}, "map");
+  EXPECT_EQ(message.first, 12u);
+  EXPECT_EQ(fromMessage(message).first, 12u);
+  EXPECT_EQ(test::errorOf([&] { wholeTrack(message); }), "first is 12, expected 0: a whole track");
+}
+
+TEST(ExpectedFrontConversion, RefusesWhatIsNotFinite) {
+  core::ExpectedFronts expected;
+  expected.fronts.resize(2);
+  ExpectedFrontArray message = toMessage(expected, exampleHeader());
+  EXPECT_EQ(fromMessage(message).fronts.size(), 2u);
+  message.fronts[1].velocity.y = kNan;
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "fronts[1]: velocity or angular_velocity is not finite");
+  message.horizon = kNan;
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "horizon is nan, expected 0 s or more");
+}
+
 TEST(TrackConversion, EmptyTrackHasNoStamp) {
   const Track message = toMessage(core::Track(), "map");
   EXPECT_TRUE(message.header.stamp.isZero());
-  EXPECT_TRUE(fromMessage(message).observations.empty());
+  EXPECT_TRUE(wholeTrack(message).observations.empty());
 }
 
 TEST(ModelConversion, KeepsEveryField) {
@@ -208,19 +247,39 @@ TEST(ModelConversion, KeepsEveryField) {
   ASSERT_EQ(back.curve.size(), 2u);
   EXPECT_TRUE(back.curve[1].isApprox(model.curve[1], 1e-12));
   EXPECT_EQ(back.explained, model.explained);
+  EXPECT_EQ(back.name, model.name);
+  EXPECT_EQ(back.parent, model.parent);
+  EXPECT_EQ(back.observed, model.observed);
+  EXPECT_EQ(back.hollow, model.hollow);
+  EXPECT_EQ(back.closed_known, model.closed_known);
   EXPECT_TRUE(back.origin.isApprox(model.origin, 1e-12));
   EXPECT_EQ(back.axis, model.axis);
   EXPECT_EQ(back.axis_point, model.axis_point);
   EXPECT_EQ(back.covariance, model.covariance);
   for (const auto& field : {&core::LearnedModel::radius, &core::LearnedModel::q, &core::LearnedModel::q_min,
                             &core::LearnedModel::q_max, &core::LearnedModel::width, &core::LearnedModel::height,
-                            &core::LearnedModel::position_error, &core::LearnedModel::orientation_error})
+                            &core::LearnedModel::position_error, &core::LearnedModel::orientation_error,
+                            &core::LearnedModel::support, &core::LearnedModel::doubt, &core::LearnedModel::parent_probability,
+                            &core::LearnedModel::pitch, &core::LearnedModel::q_closed, &core::LearnedModel::opening})
     EXPECT_EQ(back.*field, model.*field);
   EXPECT_EQ(back.observations, model.observations);
   ASSERT_EQ(back.params.size(), 2u);
   EXPECT_EQ(back.params[0].name, "rot_radius");
   EXPECT_EQ(back.params[0].value, 0.37);
   EXPECT_EQ(back.params[0].kind, core::ModelParam::kParam);
+}
+
+TEST(ModelConversion, SaysUnknownOfWhatNobodyFillsYet) {
+  const ArticulationModel message = toMessage(core::LearnedModel(), "map");
+  EXPECT_EQ(message.name, "");
+  EXPECT_EQ(message.parent, 0u);
+  EXPECT_EQ(message.parent_probability, 1);
+  EXPECT_TRUE(std::isnan(message.q_closed));
+  EXPECT_FALSE(message.closed_known);
+  EXPECT_TRUE(std::isnan(message.opening));
+  EXPECT_TRUE(message.observed);
+  EXPECT_FALSE(message.hollow);
+  EXPECT_EQ(message.pitch, 0);
 }
 
 TEST(ModelConversion, RefusesAnUnknownType) {

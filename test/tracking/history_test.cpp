@@ -20,30 +20,6 @@ std::vector<TrackedObservation> historyOf(const std::vector<Rectangle>& places) 
   return history;
 }
 
-TEST(Extrapolate, KeepsTheVelocityUpToTheHorizon) {
-  std::vector<Rectangle> places;
-  for (int i = 0; i < 10; ++i) places.push_back(pulled(closedFront(), 0.02 * i));
-  const auto history = historyOf(places);
-  const double last = history.back().stamp;
-  EXPECT_LT((extrapolate(history, last + kFrame, 0.3).center() - pulled(closedFront(), 0.2).center()).norm(), 1e-9);
-  EXPECT_LT((extrapolate(history, last + 10, 3 * kFrame).center() - pulled(closedFront(), 0.24).center()).norm(), 1e-9);
-  EXPECT_LT((extrapolate(history, last - 1, 0.3).center() - places.back().center()).norm(), 1e-9);
-}
-
-TEST(Extrapolate, TurnsOn) {
-  std::vector<Rectangle> places;
-  for (int i = 0; i < 10; ++i) places.push_back(swung(closedFront(), 0.1 * i));
-  const auto history = historyOf(places);
-  const Rectangle predicted = extrapolate(history, history.back().stamp + kFrame, 0.3);
-  EXPECT_LT(angleBetween(predicted.pose, swung(closedFront(), 1.0).pose), 1e-9);
-  EXPECT_LT((predicted.center() - swung(closedFront(), 1.0).center()).norm(), 0.004) << "the chord of the arc";
-}
-
-TEST(Extrapolate, OneObservationStandsStill) {
-  const auto history = historyOf({closedFront()});
-  EXPECT_TRUE(extrapolate(history, 5, 0.3).pose.isApprox(closedFront().pose));
-}
-
 TEST(ThinOut, ForgetsStandingStillAndKeepsTheMotion) {
   std::vector<Rectangle> places(150, closedFront());
   for (int i = 0; i < 50; ++i) places.push_back(pulled(closedFront(), 0.006 * i));

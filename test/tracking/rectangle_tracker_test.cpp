@@ -207,7 +207,7 @@ TEST(RectangleTracker, BadRectanglesAreIgnored) {
 TEST(RectangleTracker, NoRectanglesAreFine) {
   RectangleTracker tracker({});
   EXPECT_TRUE(tracker.process(1, {}).empty());
-  EXPECT_TRUE(tracker.expected().empty());
+  EXPECT_TRUE(tracker.expected().fronts.empty());
 }
 
 TEST(RectangleTracker, RefusesBadSettings) {

@@ -32,7 +32,7 @@ TEST(TrackLifetime, ClutterEndsFastAndFrontsAfterTheTimeout) {
   tracker.process(0, {detect(closedFront()), detect(closedFront(1))});
   for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect(closedFront())});
   EXPECT_EQ(tracker.tracks().size(), 2u);
-  EXPECT_EQ(tracker.expected().size(), 1u) << "only the confirmed one";
+  EXPECT_EQ(tracker.expected().fronts.size(), 1u) << "only the confirmed one";
   tracker.process(1.5, {});
   ASSERT_EQ(tracker.tracks().size(), 1u);
   EXPECT_EQ(tracker.tracks()[0].id, 1u);
@@ -102,11 +102,11 @@ TEST(TrackLifetime, ProposesOnlySizesThatWereObserved) {
   const auto merged = [&](const Rectangle& front) { return withHiddenEdge(detect.plain(front), kEdgePlusX, -0.3); };
   for (int i = 1; i <= 10; ++i) tracker.process(i * kFrame, {merged(closedFront()), detect(closedFront(2))});
   EXPECT_EQ(tracker.tracks().size(), 2u);
-  ASSERT_EQ(tracker.expected().size(), 1u);
-  EXPECT_NEAR(tracker.expected()[0].center().x(), 2, 0.01);
-  EXPECT_NEAR(tracker.expected()[0].width * tracker.expected()[0].height, 0.395 * 0.58, 0.005);
+  ASSERT_EQ(tracker.expected().fronts.size(), 1u);
+  EXPECT_NEAR(tracker.expected().fronts[0].rectangle.center().x(), 2, 0.01);
+  EXPECT_NEAR(tracker.expected().fronts[0].rectangle.width * tracker.expected().fronts[0].rectangle.height, 0.395 * 0.58, 0.005);
   tracker.process(2, {});
-  EXPECT_TRUE(tracker.expected().empty()) << "lost";
+  EXPECT_TRUE(tracker.expected().fronts.empty()) << "lost";
 }
 
 TEST(TrackLifetime, AJumpOfAMetreIsAnotherFront) {

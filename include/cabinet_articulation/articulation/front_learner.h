@@ -50,7 +50,6 @@ class FrontLearner {
   PoseTrack posesSince(double stamp) const;
   LearnedModel describe(const Candidate& candidate) const;
   LearnedModel describeKnownJoint() const;
-  void describeEvidence(LearnedModel* learned) const;
   void startAnew();
   void chooseReference(const Track& track);
   void fitModels(const PoseTrack& track, bool parametric);

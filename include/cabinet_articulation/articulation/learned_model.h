@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,18 +25,27 @@ struct ModelParam {
 struct LearnedModel {
   std::uint32_t id = 0;
   double stamp = 0;  ///< [s] of the newest observation
+  std::string name;  ///< given by people
   JointType type = JointType::kRigid;
   std::vector<double> probabilities;  ///< index = JointType
   bool moved = false;                 ///< false: not enough motion to tell yet
   bool explained = true;              ///< false: moved, but no model describes it ("none of these")
+  bool observed = true;               ///< false: expected to be a joint, but never seen to move
+  bool hollow = false;                ///< seen to be hollow behind the front
   double support = 0;                 ///< observations at different places on the joint's path; 0: it is not established yet
   double doubt = 0;                   ///< how near observations off the path are to outweighing those; 1: it was given up
+  std::uint32_t parent = 0;           ///< id of the front it hangs on; 0: the world
+  double parent_probability = 1;
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();
+  double pitch = 0;  ///< [m/rad]
   double radius = 0;
   double q = 0, q_min = 0, q_max = 0;
   bool q_min_is_end = false, q_max_is_end = false;  ///< false: merely reached
+  double q_closed = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown, as `opening`
+  bool closed_known = false;
+  double opening = std::numeric_limits<double>::quiet_NaN();  ///< 0 closed, 1 widest seen or end
   std::vector<Eigen::Isometry3d> curve;             ///< nonparametric: the front's centre at equal steps of q from q_min to q_max
   double width = 0, height = 0;
   Matrix6d covariance = Matrix6d::Zero();  ///< as ArticulationModel.covariance

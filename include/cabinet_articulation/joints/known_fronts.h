@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cabinet_articulation/joints/joint.h"
-#include "cabinet_articulation/tracking/track.h"
+#include "cabinet_articulation/tracking/track_updates.h"
 
 namespace cabinet_articulation::core {
 
@@ -27,9 +27,12 @@ class KnownFronts {
   /// So many joints are remembered beside those in view; those with the fewest observations go first (some 50 MB, ours).
   static constexpr std::size_t kMostRemembered = 256;
 
-  /// What one frame gave: the live tracks and their models. Joints that are no longer among them are remembered, if they
-  /// were seen often enough to be more than an arm that passed.
-  void update(std::vector<Track> tracks, const std::vector<LearnedModel>& models);
+  /// One frame's tracks, as TrackAssembly::add. To be followed by update().
+  const std::vector<Track>& follow(std::vector<TrackUpdate> updates);
+
+  /// The models of those tracks. Joints that are no longer among them are remembered, if they were seen often enough to be
+  /// more than an arm that passed.
+  void update(const std::vector<LearnedModel>& models);
 
   /// Throws ModelError for an id nobody knows.
   const LearnedModel& at(std::uint32_t id) const;
@@ -47,10 +50,19 @@ class KnownFronts {
   LearnedModel forget(std::uint32_t id);
 
  private:
-  std::map<std::uint32_t, const KnownFront*> worthKeeping() const;
+  struct Kept {
+    const LearnedModel* model;
+    const Track* track;
+  };
+
+  std::map<std::uint32_t, Kept> worthKeeping() const;
+  const Track* trackOf(std::uint32_t id) const;
   void remember(KnownFront front);
 
-  std::map<std::uint32_t, KnownFront> live_, remembered_;  ///< no id is in both with a joint worth keeping
+  TrackAssembly tracks_;                      ///< in view
+  std::map<std::uint32_t, Track> ended_;      ///< out of view since the last update
+  std::map<std::uint32_t, LearnedModel> live_;
+  std::map<std::uint32_t, KnownFront> remembered_;  ///< without those that `live_` has with a joint worth keeping
 };
 
 }  // namespace cabinet_articulation::core

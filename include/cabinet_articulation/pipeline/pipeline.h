@@ -11,6 +11,7 @@
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
+#include "cabinet_articulation/tracking/track_updates.h"
 
 namespace cabinet_articulation::core {
 
@@ -32,18 +33,20 @@ struct StageTimes {
   double stereo = 0, planes = 0, rectangles = 0, tracking = 0, articulation = 0;
 };
 
-/// What one frame gave. Rectangles in the left optical frame, tracks and models in the fixed frame. The tracks are the
-/// tracker's own (histories are long): the pointer is valid until the next call.
+/// What one frame gave. Rectangles in the left optical frame, tracks and models in the fixed frame. Histories are long: the
+/// pointer is valid until the next call.
 struct PipelineResult {
   DepthFrame frame;
   std::vector<PlaneRegion> planes;
   std::vector<DetectedRectangle> rectangles;
   const std::vector<Track>* tracks = nullptr;
+  std::vector<TrackUpdate> track_updates;  ///< what is new of them
   std::vector<LearnedModel> models;
   StageTimes milliseconds;
 };
 
-/// The five stages in one object: two camera images in, models out.
+/// The five stages in one object: two camera images in, models out. The nodelets do the same with the same data, to the bit:
+/// what goes from stage to stage here has been through what messages do to it.
 class Pipeline {
  public:
   explicit Pipeline(const PipelineConfig& config);
@@ -58,7 +61,7 @@ class Pipeline {
   PipelineResult process(double stamp, const DepthFrame& frame,
                          const Eigen::Isometry3d& T_fixed_camera = Eigen::Isometry3d::Identity());
 
-  const std::vector<Track>& tracks() const { return tracking_.tracks(); }
+  const std::vector<Track>& tracks() const { return assembly_.tracks(); }
 
   /// Forgets all tracks and models.
   void reset();
@@ -68,8 +71,13 @@ class Pipeline {
   PlaneSegmenter planes_;
   RectangleDetector rectangles_;
   RectangleTracker tracking_;
+  TrackUpdates updates_;
+  TrackAssembly assembly_;
   ArticulationLearner articulation_;
 };
+
+/// Where fronts are expected at `stamp` [s], in the camera's frame, for the detector.
+std::vector<Rectangle> expectedInCamera(const ExpectedFronts& fronts, double stamp, const Eigen::Isometry3d& T_fixed_camera);
 
 /// Rectangles given in the camera's frame, seen from the fixed frame (poses and covariances).
 std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles,

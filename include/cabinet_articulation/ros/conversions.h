@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cabinet_articulation/ArticulationModelArray.h>
+#include <cabinet_articulation/ExpectedFrontArray.h>
 #include <cabinet_articulation/RectangleArray.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <std_msgs/Header.h>
@@ -11,7 +12,8 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
-#include "cabinet_articulation/tracking/track.h"
+#include "cabinet_articulation/tracking/expected_fronts.h"
+#include "cabinet_articulation/tracking/track_updates.h"
 
 namespace cabinet_articulation {
 
@@ -26,10 +28,20 @@ RectangleArray toMessage(const std::vector<core::DetectedRectangle>& rectangles,
 core::DetectedRectangle fromMessage(const Rectangle& message);
 std::vector<core::DetectedRectangle> fromMessage(const RectangleArray& message);
 
+Track toMessage(const core::TrackUpdate& update, const std::string& frame_id);
+TrackArray toMessage(const std::vector<core::TrackUpdate>& updates, const std_msgs::Header& header);
+core::TrackUpdate fromMessage(const Track& message);
+std::vector<core::TrackUpdate> fromMessage(const TrackArray& message);
+
+/// Whole tracks. From a message that holds only the end of one: std::invalid_argument.
 Track toMessage(const core::Track& track, const std::string& frame_id);
 TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header);
-core::Track fromMessage(const Track& message);
-std::vector<core::Track> fromMessage(const TrackArray& message);
+core::Track wholeTrack(const Track& message);
+
+/// What a front is expected to do next, in the fixed frame of the header.
+ExpectedFrontArray toMessage(const core::ExpectedFronts& expected, const std_msgs::Header& header);
+core::ExpectedFront fromMessage(const ExpectedFront& message);
+core::ExpectedFronts fromMessage(const ExpectedFrontArray& message);
 
 ArticulationModel toMessage(const core::LearnedModel& model, const std::string& frame_id);
 ArticulationModelArray toMessage(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header);

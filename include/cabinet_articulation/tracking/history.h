@@ -7,9 +7,6 @@
 
 namespace cabinet_articulation::core {
 
-/// Where a front will be at `stamp` if it keeps its velocity (that of its last tenth of a second) for at most `horizon` [s].
-Rectangle extrapolate(const std::vector<TrackedObservation>& history, double stamp, double horizon);
-
 /// The observation whose centre is nearest to `p_fixed`. The history must not be empty.
 const TrackedObservation& nearestObservation(const std::vector<TrackedObservation>& history, const Eigen::Vector3d& p_fixed);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cabinet_articulation/tracking/ended_tracks.h"
+#include "cabinet_articulation/tracking/expected_fronts.h"
 #include "cabinet_articulation/tracking/track_memory.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
@@ -31,11 +32,9 @@ class RectangleTracker {
 
   const std::vector<Track>& tracks() const { return live_.tracks; }
 
-  /// Where fronts are expected at `stamp`, with the size of their track, for the detector's track-guided fit. Only those
-  /// that were confirmed, are not lost, and whose size has been observed: a wrong size that is searched for is found
-  /// again and again. Without a stamp: where they were last seen.
-  std::vector<Rectangle> expected(double stamp) const;
-  std::vector<Rectangle> expected() const { return expected(last_stamp_); }
+  /// Fronts with the size of their track, for the detector's track-guided fit. Only those that were confirmed, are not
+  /// lost, and whose size has been observed: a wrong size that is searched for is found again and again.
+  ExpectedFronts expected() const;
 
   /// Fronts of an earlier run, or of another tracker: like those whose tracks ended, they get their ids and histories back
   /// when they return. They count as seen long ago, whatever their stamps say: clocks may be set back. Their stamps stay as

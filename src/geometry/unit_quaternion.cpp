@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/geometry/unit_quaternion.h"
+
+namespace cabinet_articulation::core {
+
+Eigen::Quaterniond toQuaternion(const Eigen::Matrix3d& R) { return Eigen::Quaterniond(R).normalized(); }
+
+Eigen::Matrix3d toRotation(const Eigen::Quaterniond& q) { return q.normalized().toRotationMatrix(); }
+
+Eigen::Isometry3d asSent(const Eigen::Isometry3d& pose) {
+  Eigen::Isometry3d sent = Eigen::Isometry3d::Identity();
+  sent.linear() = toRotation(toQuaternion(pose.linear()));
+  sent.translation() = pose.translation();
+  return sent;
+}
+
+}  // namespace cabinet_articulation::core
