@@ -9,7 +9,6 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/joints.h"
 #include "clock_jump.h"
-#include "latest_worker.h"
 #include "model_services.h"
 #include "model_store.h"
 #include "stage_nodelet.h"
@@ -17,15 +16,9 @@
 namespace cabinet_articulation {
 
 /// Tracks -> models of how each front moves; tf and joint states of those that moved; services on what was learned.
-class ArticulationNodelet : public StageNodelet {
+class ArticulationStage : public StageNodelet {
  public:
-  ArticulationNodelet() : StageNodelet("articulation") {}
-  ~ArticulationNodelet() override {
-    stop();
-    worker_.reset();
-    if (services_) services_->shutdown();
-    if (store_) report([this] { return store_->saveAtExit(); });
-  }
+  ArticulationStage() : StageNodelet("articulation") {}
 
  private:
   void start() override {
@@ -48,7 +41,6 @@ class ArticulationNodelet : public StageNodelet {
       learner_ = std::move(learner);
       services_->setConfig(tuned);
     });
-    worker_ = std::make_unique<LatestWorker<TrackArrayConstPtr>>([this](const auto& tracks) { process(*tracks); });
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
     models_ = advertise<ArticulationModelArray>("models");
@@ -63,11 +55,16 @@ class ArticulationNodelet : public StageNodelet {
 
   void subscribe() override {
     tracks_topic_.subscribe<TrackArray>(getNodeHandle(), "tracks", [this](const auto& tracks) {
-      if (worker_->put(tracks)) health().dropped();
+      workOnNewest([this, tracks] { process(*tracks); });
     });
   }
 
   void unsubscribe() override { tracks_topic_.shutdown(); }
+
+  void finish() override {
+    if (services_) services_->shutdown();
+    if (store_) report([this] { return store_->saveAtExit(); });
+  }
 
   /// What happened to the model file. Without it the work goes on.
   void report(const std::function<std::string()>& work) {
@@ -127,9 +124,10 @@ class ArticulationNodelet : public StageNodelet {
   std::string prefix_;
   ClockJump clock_jump_;
   ros::Publisher models_, joint_states_;
-  std::unique_ptr<LatestWorker<TrackArrayConstPtr>> worker_;
   WatchedSubscriber tracks_topic_;
 };
+
+using ArticulationNodelet = EndsInOrder<ArticulationStage>;
 
 }  // namespace cabinet_articulation
 

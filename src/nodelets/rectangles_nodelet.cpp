@@ -5,7 +5,6 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "frame_input.h"
-#include "latest_worker.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 
@@ -13,10 +12,9 @@ namespace cabinet_articulation {
 
 /// Plane regions and the frame they come from -> rectangles. Tracks tell where to expect some of them; detection never
 /// waits for that.
-class RectanglesNodelet : public StageNodelet {
+class RectanglesStage : public StageNodelet {
  public:
-  RectanglesNodelet() : StageNodelet("rectangles") {}
-  ~RectanglesNodelet() override { stop(); }
+  RectanglesStage() : StageNodelet("rectangles") {}
 
  private:
   struct Input {
@@ -34,7 +32,6 @@ class RectanglesNodelet : public StageNodelet {
     offerTuning<core::RectanglesConfig>(
         config, [this](const auto& tuned) { detector_ = std::make_unique<core::RectangleDetector>(tuned); });
     frames_ = std::make_unique<FrameInput>(input, sync);
-    worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     rectangles_ = advertise<RectangleArray>("rectangles");
@@ -56,7 +53,10 @@ class RectanglesNodelet : public StageNodelet {
 
   void add(const PlaneArrayConstPtr& planes) {
     const std::optional<FrameMessages> frame = frames_->find(planes->header.stamp);
-    if (!frame || worker_->put({*frame, planes, expected_})) health().dropped();
+    if (!frame)
+      health().dropped();
+    else
+      workOnNewest([this, input = Input{*frame, planes, expected_}] { process(input); });
   }
 
   void process(const Input& input) {
@@ -89,10 +89,11 @@ class RectanglesNodelet : public StageNodelet {
   TransformSource transforms_;
   RectangleArrayConstPtr expected_;
   ros::Publisher rectangles_;
-  std::unique_ptr<LatestWorker<Input>> worker_;
   std::unique_ptr<FrameInput> frames_;
   WatchedSubscriber planes_topic_, expected_topic_;
 };
+
+using RectanglesNodelet = EndsInOrder<RectanglesStage>;
 
 }  // namespace cabinet_articulation
 

@@ -7,20 +7,15 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
 #include "clock_jump.h"
-#include "latest_worker.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 
 namespace cabinet_articulation {
 
 /// Rectangles -> tracks in the fixed frame, and where the tracks expect the next rectangles.
-class TrackingNodelet : public StageNodelet {
+class TrackingStage : public StageNodelet {
  public:
-  TrackingNodelet() : StageNodelet("tracking") {}
-  ~TrackingNodelet() override {
-    known_fronts_.shutdown();
-    stop();
-  }
+  TrackingStage() : StageNodelet("tracking") {}
 
  private:
   void start() override {
@@ -34,7 +29,6 @@ class TrackingNodelet : public StageNodelet {
       tracker->useIdsFrom(tracker_->nextId());
       tracker_ = std::move(tracker);
     });
-    worker_ = std::make_unique<LatestWorker<RectangleArrayConstPtr>>([this](const auto& rectangles) { process(*rectangles); });
     require(&rectangles_topic_);
     // Not lazy: what was known before arrives once, and must not be missed.
     known_fronts_ = getNodeHandle().subscribe<KnownFrontArray>("known_fronts", 1, [this](const KnownFrontArrayConstPtr& fronts) {
@@ -48,11 +42,13 @@ class TrackingNodelet : public StageNodelet {
 
   void subscribe() override {
     rectangles_topic_.subscribe<RectangleArray>(getNodeHandle(), "rectangles", [this](const auto& rectangles) {
-      if (worker_->put(rectangles)) health().dropped();
+      workOnNewest([this, rectangles] { process(*rectangles); });
     });
   }
 
   void unsubscribe() override { rectangles_topic_.shutdown(); }
+
+  void finish() override { known_fronts_.shutdown(); }
 
   void process(const RectangleArray& rectangles) {
     std_msgs::Header header = rectangles.header;
@@ -137,9 +133,10 @@ class TrackingNodelet : public StageNodelet {
   std::string frame_id_;          ///< of the tracks
   std::uint32_t generation_ = 0;  ///< of the known fronts the tracker started from
   ros::Publisher tracks_, expected_;
-  std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;
   WatchedSubscriber rectangles_topic_;
 };
+
+using TrackingNodelet = EndsInOrder<TrackingStage>;
 
 }  // namespace cabinet_articulation
 
