@@ -22,10 +22,10 @@ bool isWorthKeeping(const LearnedModel& model) {
 
 }  // namespace
 
-const std::vector<Track>& KnownFronts::follow(std::vector<TrackUpdate> updates) {
-  const std::vector<Track>& tracks = tracks_.add(std::move(updates));
+std::size_t KnownFronts::follow(std::vector<TrackUpdate> updates) {
+  tracks_.add(std::move(updates));
   for (const Track& track : tracks_.ended()) ended_[track.id] = track;
-  return tracks;
+  return tracks_.waiting();
 }
 
 void KnownFronts::update(const std::vector<LearnedModel>& models) {

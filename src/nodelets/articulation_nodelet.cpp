@@ -3,13 +3,13 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <algorithm>
+#include <deque>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/joints.h"
 #include "clock_jump.h"
-#include "latest_worker.h"
 #include "model_services.h"
 #include "model_store.h"
 #include "stage_nodelet.h"
@@ -17,15 +17,9 @@
 namespace cabinet_articulation {
 
 /// Tracks -> models of how each front moves; tf and joint states of those that moved; services on what was learned.
-class ArticulationNodelet : public StageNodelet {
+class ArticulationStage : public StageNodelet {
  public:
-  ArticulationNodelet() : StageNodelet("articulation") {}
-  ~ArticulationNodelet() override {
-    stop();
-    worker_.reset();
-    if (services_) services_->shutdown();
-    if (store_) report([this] { return store_->saveAtExit(); });
-  }
+  ArticulationStage() : StageNodelet("articulation") {}
 
  private:
   void start() override {
@@ -48,7 +42,6 @@ class ArticulationNodelet : public StageNodelet {
       learner_ = std::move(learner);
       services_->setConfig(tuned);
     });
-    worker_ = std::make_unique<LatestWorker<TrackArrayConstPtr>>([this](const auto& tracks) { process(*tracks); });
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
     models_ = advertise<ArticulationModelArray>("models");
@@ -63,11 +56,21 @@ class ArticulationNodelet : public StageNodelet {
 
   void subscribe() override {
     tracks_topic_.subscribe<TrackArray>(getNodeHandle(), "tracks", [this](const auto& tracks) {
-      if (worker_->put(tracks)) health().dropped();
+      {
+        std::lock_guard<std::mutex> lock(waiting_mutex_);
+        waiting_.push_back(tracks);
+        if (waiting_.size() > kMostWaiting) waiting_.pop_front();
+      }
+      workOnAll([this] { process(); });
     });
   }
 
   void unsubscribe() override { tracks_topic_.shutdown(); }
+
+  void finish() override {
+    if (services_) services_->shutdown();
+    if (store_) report([this] { return store_->saveAtExit(); });
+  }
 
   /// What happened to the model file. Without it the work goes on.
   void report(const std::function<std::string()>& work) {
@@ -80,32 +83,61 @@ class ArticulationNodelet : public StageNodelet {
     }
   }
 
-  void process(const TrackArray& tracks) {
-    const std_msgs::Header& header = tracks.header;
+  /// All tracks that wait, for each message only holds what is new; learned is once, from the newest state.
+  void process() {
+    std::deque<TrackArrayConstPtr> messages;
+    {
+      std::lock_guard<std::mutex> lock(waiting_mutex_);
+      messages.swap(waiting_);
+    }
+    if (messages.empty()) return;
+    for (std::size_t i = 1; i < messages.size(); ++i) health().dropped();
     if (!file_trouble_.empty() && !store_->fileWasGood()) trouble("models_file", file_trouble_);
-    runStage(header, [&] {
+    runStage(messages.back()->header, [&] {
       std::lock_guard<std::mutex> lock(store_->learning());
-      const GenerationWatch::Verdict verdict = store_->judge(tracks);
-      if (!verdict.trouble.empty()) trouble("known_fronts", verdict.trouble);
-      if (!verdict.use) return;
-      const std::string other_frame = store_->followFrame(header.frame_id);
-      if (!other_frame.empty()) trouble("frame", other_frame);
-      if (clock_jump_(header.stamp)) {
-        NODELET_WARN("%s: time jumped back; joints stay known, all else is forgotten", getName().c_str());
-        store_->startAfresh();
-        last_transforms_ = ros::Time();
-      }
-      std::vector<core::TrackUpdate> updates = fromMessage(tracks);
-      store_->dropForgotten(&updates);
-      const std::vector<core::LearnedModel> models = learner_->process(store_->follow(std::move(updates)));
-      health().note("models", static_cast<double>(models.size()));
-      health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
-      store_->update(models);
-      sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
-      if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
-      broadcast(models, header);
-      publish(models_, toMessage(models, header));
+      TrackArrayConstPtr newest;
+      for (const TrackArrayConstPtr& tracks : messages)
+        if (takeOver(*tracks)) newest = tracks;
+      if (newest) learn(newest->header);
     });
+  }
+
+  /// False for tracks that are not to be used.
+  bool takeOver(const TrackArray& tracks) {
+    std::vector<core::TrackUpdate> updates;
+    try {
+      updates = fromMessage(tracks);
+    } catch (const std::invalid_argument& error) {
+      trouble("input", error.what());
+      return false;
+    }
+    const GenerationWatch::Verdict verdict = store_->judge(tracks);
+    if (!verdict.trouble.empty()) trouble("known_fronts", verdict.trouble);
+    if (!verdict.use) return false;
+    const std::string other_frame = store_->followFrame(tracks.header.frame_id);
+    if (!other_frame.empty()) trouble("frame", other_frame);
+    if (clock_jump_(tracks.header.stamp)) {
+      NODELET_WARN("%s: time jumped back; joints stay known, all else is forgotten", getName().c_str());
+      store_->startAfresh();
+      last_transforms_ = ros::Time();
+    }
+    store_->dropForgotten(&updates);
+    const std::size_t gaps = store_->follow(std::move(updates));
+    if (gaps > 0)
+      trouble("gap", tracks_topic_.topic() + ": messages were lost; " + std::to_string(gaps) +
+                         (gaps == 1 ? " track stays" : " tracks stay") + " as known until sent as a whole, within some seconds");
+    return true;
+  }
+
+  void learn(const std_msgs::Header& header) {
+    const std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
+    health().note("models", static_cast<double>(models.size()));
+    health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
+    store_->update(models);
+    sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
+    if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
+    broadcast(models, header);
+    publish(models_, toMessage(models, header));
   }
 
   /// tf warns about repeated stamps, so each is sent once.
@@ -126,10 +158,14 @@ class ArticulationNodelet : public StageNodelet {
   ros::Time last_transforms_;
   std::string prefix_;
   ClockJump clock_jump_;
+  static constexpr std::size_t kMostWaiting = 32;  ///< [frames] 2 s at 15 Hz; what is older is lost, as for a late subscriber
+  std::mutex waiting_mutex_;                       ///< guards waiting_
+  std::deque<TrackArrayConstPtr> waiting_;
   ros::Publisher models_, joint_states_;
-  std::unique_ptr<LatestWorker<TrackArrayConstPtr>> worker_;
   WatchedSubscriber tracks_topic_;
 };
+
+using ArticulationNodelet = EndsInOrder<ArticulationStage>;
 
 }  // namespace cabinet_articulation
 

@@ -4,62 +4,34 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <thread>
-#include <utility>
 
 namespace cabinet_articulation {
 
-/// A thread that always works on the newest item: one that arrives while another still waits replaces it. So a stage that
-/// is slower than the camera drops frames instead of falling behind.
-template <class Item>
+/// A thread that always does the newest job: one that arrives while another still waits replaces it. So a stage that is
+/// slower than the camera drops frames instead of falling behind. Safe to use from several threads.
 class LatestWorker {
  public:
-  explicit LatestWorker(std::function<void(const Item&)> work) : work_(std::move(work)), thread_([this] { run(); }) {}
+  using Job = std::function<void()>;
 
-  /// Waits for the item in work, drops the one that waits.
-  ~LatestWorker() {
-    {
-      std::lock_guard<std::mutex> lock(mutex_);
-      stopping_ = true;
-    }
-    changed_.notify_one();
-    thread_.join();
-  }
+  LatestWorker() : thread_([this] { run(); }) {}
+  ~LatestWorker() { stop(); }
 
   LatestWorker(const LatestWorker&) = delete;
   LatestWorker& operator=(const LatestWorker&) = delete;
 
-  /// True if an item that was still waiting was dropped for this one.
-  bool put(Item item) {
-    bool dropped;
-    {
-      std::lock_guard<std::mutex> lock(mutex_);
-      dropped = waiting_.has_value();
-      waiting_ = std::move(item);
-    }
-    changed_.notify_one();
-    return dropped;
-  }
+  /// True if a job that was still waiting was dropped for this one. Jobs must not throw.
+  bool put(Job job);
+
+  /// Drops the job that waits, waits for the one that runs, and ignores all that come later. Not from within a job.
+  void stop();
 
  private:
-  void run() {
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (true) {
-      changed_.wait(lock, [this] { return stopping_ || waiting_; });
-      if (stopping_) return;
-      const Item item = std::move(*waiting_);
-      waiting_.reset();
-      lock.unlock();
-      work_(item);
-      lock.lock();
-    }
-  }
+  void run();
 
-  std::function<void(const Item&)> work_;
-  std::mutex mutex_;
+  std::mutex mutex_;  ///< guards the three below
   std::condition_variable changed_;
-  std::optional<Item> waiting_;
+  Job waiting_;  ///< empty if none waits
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -142,7 +142,7 @@ void ModelStore::dropForgotten(std::vector<core::TrackUpdate>* tracks) const {
   tracks->erase(std::remove_if(tracks->begin(), tracks->end(), is_forgotten), tracks->end());
 }
 
-const std::vector<core::Track>& ModelStore::follow(std::vector<core::TrackUpdate> updates) {
+std::size_t ModelStore::follow(std::vector<core::TrackUpdate> updates) {
   std::lock_guard<std::mutex> lock(mutex_);
   for (const core::TrackUpdate& update : updates) next_id_ = std::max(next_id_, idAfter(update.track.id));
   return known_.follow(std::move(updates));

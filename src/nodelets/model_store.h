@@ -65,10 +65,13 @@ class ModelStore {
   /// Tracks that were published before the tracker forgot them.
   void dropForgotten(std::vector<core::TrackUpdate>* tracks) const;
 
-  /// One frame's tracks, put together; valid until the next call. With learning() held.
-  const std::vector<core::Track>& follow(std::vector<core::TrackUpdate> updates);
+  /// Puts the tracks of one frame together. Returns how many wait for being sent as a whole. With learning() held, as the two
+  /// that follow.
+  std::size_t follow(std::vector<core::TrackUpdate> updates);
 
-  /// Their models.
+  const std::vector<core::Track>& tracks() const { return known_.tracks(); }
+
+  /// The models of these tracks.
   void update(const std::vector<core::LearnedModel>& models);
 
   /// Time was set back: joints stay known, as if they had been saved and loaded again; all else is forgotten. To be called

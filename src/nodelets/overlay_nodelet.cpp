@@ -7,7 +7,6 @@
 #include "cabinet_articulation/ros/model_drawing.h"
 #include "cabinet_articulation/ros/overlay.h"
 #include "frame_input.h"
-#include "latest_worker.h"
 #include "recent_messages.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
@@ -32,10 +31,9 @@ cv::Mat3b background(const sensor_msgs::ImageConstPtr& message, const std::strin
 
 /// Rectangles and models -> a picture with everything drawn in, and markers for RViz. Drawn once per frame: when the models
 /// of the frame arrive, or its rectangles if nobody publishes models.
-class OverlayNodelet : public StageNodelet {
+class OverlayStage : public StageNodelet {
  public:
-  OverlayNodelet() : StageNodelet("overlay") {}
-  ~OverlayNodelet() override { stop(); }
+  OverlayStage() : StageNodelet("overlay") {}
 
  private:
   struct Input {
@@ -49,7 +47,6 @@ class OverlayNodelet : public StageNodelet {
 
   void start() override {
     loadSettings(input_);
-    worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
     for (const WatchedSubscriber* topic : {&image_topic_, &info_topic_, &rectangles_topic_}) require(topic);
     overlay_ = advertise<sensor_msgs::Image>("overlay");
     markers_ = advertise<visualization_msgs::MarkerArray>("markers");
@@ -81,7 +78,7 @@ class OverlayNodelet : public StageNodelet {
   }
 
   void put(const Input& input) {
-    if (worker_->put(input)) health().dropped();
+    workOnNewest([this, input] { process(input); });
   }
 
   void process(const Input& input) {
@@ -126,9 +123,10 @@ class OverlayNodelet : public StageNodelet {
   RecentMessages<RectangleArray> recent_rectangles_{kDepth};
   sensor_msgs::CameraInfoConstPtr info_;
   ros::Publisher overlay_, markers_;
-  std::unique_ptr<LatestWorker<Input>> worker_;
   WatchedSubscriber image_topic_, info_topic_, rectangles_topic_, models_topic_;
 };
+
+using OverlayNodelet = EndsInOrder<OverlayStage>;
 
 }  // namespace cabinet_articulation
 

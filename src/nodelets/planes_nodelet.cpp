@@ -4,7 +4,6 @@
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "cabinet_articulation/ros/plane_messages.h"
 #include "frame_input.h"
-#include "latest_worker.h"
 #include "stage_nodelet.h"
 
 namespace cabinet_articulation {
@@ -22,10 +21,9 @@ double validShare(const cv::Mat1f& disparity) {
 }  // namespace
 
 /// Disparity or depth -> plane regions with their masks.
-class PlanesNodelet : public StageNodelet {
+class PlanesStage : public StageNodelet {
  public:
-  PlanesNodelet() : StageNodelet("planes") {}
-  ~PlanesNodelet() override { stop(); }
+  PlanesStage() : StageNodelet("planes") {}
 
  private:
   void start() override {
@@ -37,14 +35,13 @@ class PlanesNodelet : public StageNodelet {
     offerTuning<core::PlanesConfig>(config,
                                     [this](const auto& tuned) { segmenter_ = std::make_unique<core::PlaneSegmenter>(tuned); });
     frames_ = std::make_unique<FrameInput>(input, sync);
-    worker_ = std::make_unique<LatestWorker<FrameMessages>>([this](const FrameMessages& messages) { process(messages); });
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     planes_ = advertise<PlaneArray>("planes");
   }
 
   void subscribe() override {
     frames_->subscribe(getNodeHandle(), [this](const FrameMessages& messages) {
-      if (worker_->put(messages)) health().dropped();
+      workOnNewest([this, messages] { process(messages); });
     });
   }
 
@@ -69,9 +66,10 @@ class PlanesNodelet : public StageNodelet {
   std::unique_ptr<core::PlaneSegmenter> segmenter_;
   PlaneMessages messages_;
   ros::Publisher planes_;
-  std::unique_ptr<LatestWorker<FrameMessages>> worker_;
   std::unique_ptr<FrameInput> frames_;
 };
+
+using PlanesNodelet = EndsInOrder<PlanesStage>;
 
 }  // namespace cabinet_articulation
 

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
 #include <pluginlib/class_list_macros.hpp>
+#include <sstream>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
+#include "expected_inbox.h"
 #include "frame_input.h"
-#include "latest_worker.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 
 namespace cabinet_articulation {
 
-/// Plane regions and the frame they come from -> rectangles. Tracks tell where to expect some of them; detection never
-/// waits for that.
-class RectanglesNodelet : public StageNodelet {
+/// Plane regions and the frame they come from -> rectangles. Tracks tell where to expect some of them: those after the last
+/// frame that was worked on, for which a frame waits no longer than until the next one is due.
+class RectanglesStage : public StageNodelet {
  public:
-  RectanglesNodelet() : StageNodelet("rectangles") {}
-  ~RectanglesNodelet() override { stop(); }
+  RectanglesStage() : StageNodelet("rectangles") {}
 
  private:
   struct Input {
     FrameMessages frame;
     PlaneArrayConstPtr planes;
-    ExpectedFrontArrayConstPtr expected;
   };
 
   void start() override {
@@ -35,7 +37,6 @@ class RectanglesNodelet : public StageNodelet {
     offerTuning<core::RectanglesConfig>(
         config, [this](const auto& tuned) { detector_ = std::make_unique<core::RectangleDetector>(tuned); });
     frames_ = std::make_unique<FrameInput>(input, sync);
-    worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     rectangles_ = advertise<RectangleArray>("rectangles");
@@ -45,51 +46,81 @@ class RectanglesNodelet : public StageNodelet {
     ros::NodeHandle& nh = getNodeHandle();
     frames_->subscribe(nh, {});
     planes_topic_.subscribe<PlaneArray>(nh, "planes", [this](const auto& planes) { add(planes); });
-    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", [this](const auto& expected) { expected_ = expected; });
+    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", [this](const auto& expected) { expected_.put(expected); });
   }
 
   void unsubscribe() override {
     planes_topic_.shutdown();
     expected_topic_.shutdown();
     if (frames_) frames_->unsubscribe();
-    expected_.reset();
+    expected_.clear();
   }
+
+  void interrupt() override { expected_.interrupt(); }
 
   void add(const PlaneArrayConstPtr& planes) {
     const std::optional<FrameMessages> frame = frames_->find(planes->header.stamp);
-    if (!frame || worker_->put({*frame, planes, expected_})) health().dropped();
+    if (!frame)
+      health().dropped();
+    else
+      workOnNewest([this, input = Input{*frame, planes}] { process(input); });
   }
 
   void process(const Input& input) {
     const std_msgs::Header& header = input.planes->header;
-    runStage(header, [&] {
+    StageWait wait;
+    const std::vector<core::Rectangle> expected = expectedIn(header, &wait);
+    const auto work = [&] {
       const FrameViews views = frames_->view(input.frame);
-      const auto rectangles = detector_->process(views.frame, fromMessage(*input.planes), expectedIn(header, input.expected));
+      const auto rectangles = detector_->process(views.frame, fromMessage(*input.planes), expected);
       health().note("rectangles", static_cast<double>(rectangles.size()));
       publish(rectangles_, toMessage(rectangles, header));
-    });
+      worked_on_ = header.stamp;
+    };
+    runStage(header, work, wait);
   }
 
-  /// The expected fronts as the camera would see them now; none while tf does not know.
-  std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, const ExpectedFrontArrayConstPtr& message) {
-    if (!message || message->fronts.empty()) return {};
+  /// The expected fronts as the camera sees them at the time of this frame; none while the tracker or tf does not know.
+  std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, StageWait* wait) {
+    // A tracker that does not work offers nothing.
+    const bool somebody_tracks = expected_topic_.publishers() > 0;
+    if (!somebody_tracks) expected_.clear();
+    if (!somebody_tracks || worked_on_.isZero()) return {};
+    const double period = std::min(std::abs(secondsBetween(worked_on_, camera.stamp)), kLongestWait);
+    const ExpectedInbox::Answer answer = expected_.after(worked_on_, period);
+    *wait = {answer.waited, !answer.in_time};
+    health().note("waited for tracks [ms]", 1e3 * answer.waited);
+    if (!answer.in_time) {
+      std::ostringstream text;
+      text << "the tracks after the frame before did not come within a frame's time, " << std::lround(1e3 * period)
+           << " ms; older ones are used, and results may differ from those of process_bag";
+      trouble("tracks", text.str());
+    }
+    if (!answer.fronts) return {};
     try {
-      const Eigen::Isometry3d T_fixed_camera = transforms_.lookup(message->header.frame_id, camera.frame_id, camera.stamp, 0);
-      return core::expectedInCamera(fromMessage(*message), camera.stamp.toSec(), T_fixed_camera);
-    } catch (const std::runtime_error& error) {
+      // Also where there is none: tf is to be listened to by the time that there are some.
+      const Eigen::Isometry3d T_fixed_camera = transforms_.lookup(answer.fronts->header.frame_id, camera.frame_id, camera.stamp,
+                                                                  std::max(0.0, period - answer.waited));
+      return core::expectedInCamera(fromMessage(*answer.fronts), camera.stamp.toSec(), T_fixed_camera);
+    } catch (const std::exception& error) {
+      wait->in_vain = true;
       trouble("expected fronts", error.what());
       return {};
     }
   }
 
+  static constexpr double kLongestWait = 1;  ///< [s] for cameras that are slower
+
   std::unique_ptr<core::RectangleDetector> detector_;
   TransformSource transforms_;
-  ExpectedFrontArrayConstPtr expected_;
+  ExpectedInbox expected_;
+  ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published
   ros::Publisher rectangles_;
-  std::unique_ptr<LatestWorker<Input>> worker_;
   std::unique_ptr<FrameInput> frames_;
   WatchedSubscriber planes_topic_, expected_topic_;
 };
+
+using RectanglesNodelet = EndsInOrder<RectanglesStage>;
 
 }  // namespace cabinet_articulation
 

@@ -25,7 +25,7 @@ namespace cabinet_articulation {
 /// An active stereo camera that exists only in the computer. Topics: left|right/image_raw and camera_info, depth/image and
 /// depth/camera_info (exact), truth. Like a camera, it does not wait: a frame that comes too late is left out. With the pace of
 /// the results it waits for the models of the last frame and is the clock, so that nothing depends on the machine's speed.
-class SimulatedStereoCameraNodelet : public nodelet::Nodelet {
+class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
  public:
   ~SimulatedStereoCameraNodelet() override {
     results_.shutdown();

@@ -42,17 +42,23 @@ void StageNodelet::refuse(const std::string& reason) {
 }
 
 void StageNodelet::stop() {
-  std::vector<ros::Publisher> outputs;
   {
     std::lock_guard<std::mutex> lock(mutex_);
     started_ = false;
-    outputs.swap(outputs_);
   }
+  interrupt();
+  // Each of these waits for what it ends, which may wait for the mutex.
   if (live_settings_) live_settings_->shutdown();
-  // Each of these waits for its callback, which may wait for the mutex.
   timer_.stop();
-  for (ros::Publisher& output : outputs) output.shutdown();
   unsubscribe();
+  worker_.stop();
+  // After the worker: nobody may publish to an output that is shut down.
+  for (ros::Publisher& output : outputs_) output.shutdown();
+  finish();
+}
+
+void StageNodelet::workOnNewest(LatestWorker::Job job) {
+  if (worker_.put(std::move(job))) health_.dropped();
 }
 
 void StageNodelet::followListeners() {
@@ -66,7 +72,7 @@ void StageNodelet::followListeners() {
   wanted ? subscribe() : unsubscribe();
 }
 
-void StageNodelet::runStage(const std_msgs::Header& header, const std::function<void()>& work) {
+void StageNodelet::runStage(const std_msgs::Header& header, const std::function<void()>& work, const StageWait& wait) {
   std::lock_guard<std::mutex> lock(working_);
   const double start = now();
   try {
@@ -79,6 +85,8 @@ void StageNodelet::runStage(const std_msgs::Header& header, const std::function<
   timing.header = header;
   timing.stage = stage_;
   timing.milliseconds = 1e3 * (now() - start);
+  timing.waited = 1e3 * wait.seconds;
+  timing.incomplete = wait.in_vain;
   health_.processed(secondsBetween(header.stamp, ros::Time::now()), timing.milliseconds, now());
   publish(timing_, std::move(timing));
 }

@@ -15,18 +15,26 @@
 
 #include "cabinet_articulation/ros/live_settings.h"
 #include "cabinet_articulation/ros/parameters.h"
+#include "latest_worker.h"
 #include "settings.h"
 #include "stage_health.h"
 #include "watched_subscriber.h"
 
 namespace cabinet_articulation {
 
+/// How long a frame waited for what another stage knows, before its turn.
+struct StageWait {
+  double seconds = 0;
+  bool in_vain = false;  ///< it did not come in time
+};
+
 /*
  * What all stages have in common at the ROS edge: settings that are checked before anything starts, inputs that are
- * subscribed to only while somebody listens to the outputs, `timing`, and the state in words on /diagnostics.
+ * subscribed to only while somebody listens to the outputs, a worker that does the stage's work, `timing`, and the state in
+ * words on /diagnostics.
  *
  * A stage with bad settings says so (log and diagnostics) and stays inert; the manager and the other stages live on.
- * Every derived class calls stop() in its destructor, so that no callback meets a half destroyed object.
+ * A stage cannot be exported but as EndsInOrder<Stage>, which ends callbacks and worker before a member is destroyed.
  */
 class StageNodelet : public nodelet::Nodelet {
  protected:
@@ -36,7 +44,12 @@ class StageNodelet : public nodelet::Nodelet {
   virtual void start() = 0;
   virtual void subscribe() = 0;
   virtual void unsubscribe() = 0;
-  void stop();
+
+  /// The stage ends: a job that waits for something goes on now, and no later one waits. Not called by the worker.
+  virtual void interrupt() {}
+
+  /// The last act of a stage, started or refused: its inputs and its worker have ended, its members are all still there.
+  virtual void finish() {}
 
   template <class... Configs>
   void loadSettings(Configs&... configs) {
@@ -84,8 +97,14 @@ class StageNodelet : public nodelet::Nodelet {
     publish(output, boost::make_shared<Message>(std::move(message)));
   }
 
-  /// Runs the stage on one frame, measures it and turns an exception into a trouble.
-  void runStage(const std_msgs::Header& header, const std::function<void()>& work);
+  /// Lets the worker, a thread of the stage's own, do this job. One that still waits is dropped for it, and counted.
+  void workOnNewest(LatestWorker::Job job);
+
+  /// The same for a job that works on all that has come by then, so that nothing is lost with one that is replaced.
+  void workOnAll(LatestWorker::Job job) { worker_.put(std::move(job)); }
+
+  /// Runs the stage on one frame, measures it and turns an exception into a trouble. Called by the job.
+  void runStage(const std_msgs::Header& header, const std::function<void()>& work, const StageWait& wait = {});
 
   /// An input without which the stage stands still: its silence is a trouble.
   void require(const WatchedSubscriber* input) { required_.push_back(input); }
@@ -94,7 +113,14 @@ class StageNodelet : public nodelet::Nodelet {
   StageHealth& health() { return health_; }
 
  private:
+  template <class Stage>
+  friend class EndsInOrder;
+
   static constexpr std::uint32_t kOutputQueue = 4;
+
+  /// Keeps a stage abstract until EndsInOrder makes it whole.
+  virtual void endsInOrder() = 0;
+  void stop();
 
   void onInit() override;
   void refuse(const std::string& reason);
@@ -118,6 +144,18 @@ class StageNodelet : public nodelet::Nodelet {
   ros::Publisher timing_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::WallTimer timer_;
+  LatestWorker worker_;
+};
+
+/// A stage as it is exported. Its destructor is the first to run, so whatever a callback or a job uses is still there.
+template <class Stage>
+class EndsInOrder final : public Stage {
+ public:
+  using Stage::Stage;
+  ~EndsInOrder() override { this->stop(); }
+
+ private:
+  void endsInOrder() override {}
 };
 
 }  // namespace cabinet_articulation

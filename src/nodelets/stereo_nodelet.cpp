@@ -4,17 +4,15 @@
 
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
-#include "latest_worker.h"
 #include "pair_matcher.h"
 #include "stage_nodelet.h"
 
 namespace cabinet_articulation {
 
 /// Rectified pair -> disparity.
-class StereoNodelet : public StageNodelet {
+class StereoStage : public StageNodelet {
  public:
-  StereoNodelet() : StageNodelet("stereo") {}
-  ~StereoNodelet() override { stop(); }
+  StereoStage() : StageNodelet("stereo") {}
 
  private:
   using Pair = PairMatcher<sensor_msgs::Image>::Pair;
@@ -32,7 +30,6 @@ class StereoNodelet : public StageNodelet {
     offerTuning<core::StereoConfig>(config,
                                     [this](const auto& tuned) { matcher_ = std::make_unique<core::BlockMatcher>(tuned); });
     pairs_ = std::make_unique<PairMatcher<sensor_msgs::Image>>(sync.tolerance());
-    worker_ = std::make_unique<LatestWorker<Input>>([this](const Input& input) { process(input); });
     for (const WatchedSubscriber* input : {&left_, &right_, &left_info_topic_, &right_info_topic_}) require(input);
     disparity_ = advertise<stereo_msgs::DisparityImage>("disparity");
   }
@@ -56,7 +53,7 @@ class StereoNodelet : public StageNodelet {
   void add(Side side, const sensor_msgs::ImageConstPtr& image) {
     const std::optional<Pair> pair = pairs_->add(side, image);
     if (pair && left_info_ && right_info_) {
-      if (worker_->put({*pair, left_info_, right_info_})) health().dropped();
+      workOnNewest([this, input = Input{*pair, left_info_, right_info_}] { process(input); });
     } else if (const std::optional<double> difference = pairs_->mismatch()) {
       trouble("stamps",
               left_.topic() + " and " + right_.topic() + ": left and right stamps differ by " +
@@ -84,9 +81,10 @@ class StereoNodelet : public StageNodelet {
   std::unique_ptr<PairMatcher<sensor_msgs::Image>> pairs_;
   sensor_msgs::CameraInfoConstPtr left_info_, right_info_;
   ros::Publisher disparity_;
-  std::unique_ptr<LatestWorker<Input>> worker_;
   WatchedSubscriber left_, right_, left_info_topic_, right_info_topic_;
 };
+
+using StereoNodelet = EndsInOrder<StereoStage>;
 
 }  // namespace cabinet_articulation
 

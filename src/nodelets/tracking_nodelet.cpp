@@ -8,20 +8,15 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
 #include "clock_jump.h"
-#include "latest_worker.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 
 namespace cabinet_articulation {
 
 /// Rectangles -> tracks in the fixed frame, and where the tracks expect the next rectangles.
-class TrackingNodelet : public StageNodelet {
+class TrackingStage : public StageNodelet {
  public:
-  TrackingNodelet() : StageNodelet("tracking") {}
-  ~TrackingNodelet() override {
-    known_fronts_.shutdown();
-    stop();
-  }
+  TrackingStage() : StageNodelet("tracking") {}
 
  private:
   void start() override {
@@ -35,7 +30,6 @@ class TrackingNodelet : public StageNodelet {
       tracker->useIdsFrom(tracker_->nextId());
       tracker_ = std::move(tracker);
     });
-    worker_ = std::make_unique<LatestWorker<RectangleArrayConstPtr>>([this](const auto& rectangles) { process(*rectangles); });
     require(&rectangles_topic_);
     // Not lazy: what was known before arrives once, and must not be missed.
     known_fronts_ = getNodeHandle().subscribe<KnownFrontArray>("known_fronts", 1, [this](const KnownFrontArrayConstPtr& fronts) {
@@ -51,7 +45,7 @@ class TrackingNodelet : public StageNodelet {
     std::lock_guard<std::mutex> lock(expected_mutex_);
     expected_ = getNodeHandle().advertise<ExpectedFrontArray>("expected_fronts", 1);
     rectangles_topic_.subscribe<RectangleArray>(getNodeHandle(), "rectangles", [this](const auto& rectangles) {
-      if (worker_->put(rectangles)) health().dropped();
+      workOnNewest([this, rectangles] { process(*rectangles); });
     });
   }
 
@@ -61,32 +55,47 @@ class TrackingNodelet : public StageNodelet {
     expected_.shutdown();
   }
 
+  void finish() override { known_fronts_.shutdown(); }
+
   void process(const RectangleArray& rectangles) {
     std_msgs::Header header = rectangles.header;
     if (!fixed_frame_.fixed_frame.empty()) header.frame_id = fixed_frame_.fixed_frame;
     runStage(header, [&] {
-      if (clock_jump_(header.stamp)) {
-        NODELET_WARN("%s: time jumped back; all tracks are forgotten", getName().c_str());
-        startAfresh(header);
+      try {
+        track(rectangles, header);
+      } catch (const std::exception&) {
+        publishExpected(header);
+        throw;
       }
-      if (header.frame_id != frame_id_) {
-        if (!frame_id_.empty())
-          trouble("frame", "the frame changed from '" + frame_id_ + "' to '" + header.frame_id + "'; all tracks are forgotten");
-        frame_id_ = header.frame_id;
-        startAfresh(header);
-      }
-      takeOverKnownFronts(header);
-      const Eigen::Isometry3d T_fixed_camera =
-          transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
-      const double stamp = header.stamp.toSec();
-      const auto& tracks = tracker_->process(stamp, core::transformed(fromMessage(rectangles), T_fixed_camera));
-      health().note("tracks", static_cast<double>(tracks.size()));
-      if (somebody_joined_.exchange(false)) updates_.startAnew();
-      TrackArray message = toMessage(updates_.of(tracks, stamp), header);
-      message.generation = generation_;
-      publish(tracks_, std::move(message));
+      publishExpected(header);
     });
-    // Also after a frame that could not be used: the detector waits for this.
+  }
+
+  void track(const RectangleArray& rectangles, const std_msgs::Header& header) {
+    if (clock_jump_(header.stamp)) {
+      NODELET_WARN("%s: time jumped back; all tracks are forgotten", getName().c_str());
+      startAfresh(header);
+    }
+    if (header.frame_id != frame_id_) {
+      if (!frame_id_.empty())
+        trouble("frame", "the frame changed from '" + frame_id_ + "' to '" + header.frame_id + "'; all tracks are forgotten");
+      frame_id_ = header.frame_id;
+      startAfresh(header);
+    }
+    takeOverKnownFronts(header);
+    const Eigen::Isometry3d T_fixed_camera =
+        transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
+    const double stamp = header.stamp.toSec();
+    const auto& tracks = tracker_->process(stamp, core::transformed(fromMessage(rectangles), T_fixed_camera));
+    health().note("tracks", static_cast<double>(tracks.size()));
+    if (somebody_joined_.exchange(false)) updates_.startAnew();
+    TrackArray message = toMessage(updates_.of(tracks, stamp), header);
+    message.generation = generation_;
+    publish(tracks_, std::move(message));
+  }
+
+  /// After every frame, also one that could not be used: the detector waits for it.
+  void publishExpected(const std_msgs::Header& header) {
     std::lock_guard<std::mutex> lock(expected_mutex_);
     if (expected_) publish(expected_, toMessage(tracker_->expected(), header));
   }
@@ -143,9 +152,10 @@ class TrackingNodelet : public StageNodelet {
   ros::Publisher tracks_;
   std::mutex expected_mutex_;  ///< guards expected_
   ros::Publisher expected_;
-  std::unique_ptr<LatestWorker<RectangleArrayConstPtr>> worker_;
   WatchedSubscriber rectangles_topic_;
 };
+
+using TrackingNodelet = EndsInOrder<TrackingStage>;
 
 }  // namespace cabinet_articulation
 

@@ -27,8 +27,11 @@ class KnownFronts {
   /// So many joints are remembered beside those in view; those with the fewest observations go first (some 50 MB, ours).
   static constexpr std::size_t kMostRemembered = 256;
 
-  /// One frame's tracks, as TrackAssembly::add. To be followed by update().
-  const std::vector<Track>& follow(std::vector<TrackUpdate> updates);
+  /// Puts the tracks of one frame together. Returns how many wait for being sent as a whole (see TrackAssembly).
+  std::size_t follow(std::vector<TrackUpdate> updates);
+
+  /// In view.
+  const std::vector<Track>& tracks() const { return tracks_.tracks(); }
 
   /// The models of those tracks. Joints that are no longer among them are remembered, if they were seen often enough to be
   /// more than an arm that passed.
