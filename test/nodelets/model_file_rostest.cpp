@@ -117,7 +117,7 @@ TEST_F(ModelFile, IsWrittenAtTheEndAndKnownAtTheStart) {
   ASSERT_EQ(known.messages.back()->tracks.size(), 2u);
   EXPECT_EQ(known.messages.back()->header.frame_id, "map");
   generation_ = known.messages.back()->generation;
-  core::Track door = fromMessage(known.messages.back()->tracks[0]);
+  core::Track door = wholeTrack(known.messages.back()->tracks[0]);
   EXPECT_EQ(door.id, tracks_[0].id);
   EXPECT_EQ(door.observations.size(), static_cast<size_t>(test::kFrames));
   observe(&door, test::doorPose(0.3), 1000);

@@ -114,7 +114,9 @@ TEST_F(TrackingNodelet, FrontRestsWhileTheCameraMoves) {
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.header.stamp, start_ + ros::Duration(0.1 * 14));
   ASSERT_EQ(message.tracks.size(), 1u);
-  const core::Track track = fromMessage(message.tracks[0]);
+  core::TrackAssembly assembly;
+  for (const auto& frame : tracks_.messages) assembly.add(fromMessage(*frame));
+  const core::Track track = assembly.tracks().at(0);
   ASSERT_GE(track.observations.size(), 10u);
   for (const core::TrackedObservation& observation : track.observations)
     EXPECT_LT((observation.rectangle.center() - front().rectangle.center()).norm(), 1e-6);
