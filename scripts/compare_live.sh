@@ -69,7 +69,8 @@ play() {
   local live=$1 recorder
   . "$here/own_master.sh"
   launch_with_own_master "${live%.bag}.log" replay.launch bag:="$bag" rate:="$rate" paused:=true "${launch_arguments[@]}"
-  rosrun rosbag record -b 0 -q -O "$live" "/$ns/rectangles" "/$ns/tracks" "/$ns/models" "/$ns/timing" /diagnostics __name:=record &
+  rosrun rosbag record -b 0 -q -O "$live" "/$ns/rectangles" "/$ns/tracks" "/$ns/models" "/$ns/timing" /diagnostics __name:=record \
+    >>"${live%.bag}.log" &
   recorder=$!
   local status=0
   rosrun cabinet_articulation steer_replay.py "$ns" || status=$?

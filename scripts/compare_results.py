@@ -2,8 +2,8 @@
 """Compares what the nodelets published (LIVE.bag) with what process_bag wrote (OFFLINE.bag), field by field.
 
 Frames belong together by their stamp. All fields of rectangles, models and tracks are compared; tracks are put together
-first from messages that carry only what is new. Numbers may differ by TOLERANCE times the larger magnitude (and by 1e-15
-around 0), NaN equals NaN, quaternions may have either sign; integers, strings and lengths are exact.
+first from messages that carry only what is new. Numbers may differ by TOLERANCE times the larger magnitude (and by 1e-12
+around 0, covariances by 1e-16), NaN equals NaN, quaternions may have either sign; integers, strings and lengths are exact.
 
 Exit status: 0 if all frames are there and equal, 1 if not, 2 if the bags cannot be compared.
 """
@@ -17,7 +17,8 @@ import rosbag
 
 TOPICS = ('rectangles', 'tracks', 'models')
 TOLERANCE = 1e-9
-FLOOR = 1e-15  # rounding of values around 1; far below the smallest covariance that matters
+# What rounding leaves where 0 is meant. A standard deviation of 0.1 mm or 0.01 degrees is a covariance of 1e-8.
+FLOOR, COVARIANCE_FLOOR = 1e-12, 1e-16
 SHOWN_STAMPS = 10
 # How a message was sent, not what was found.
 IGNORED = {'seq', 'first'}
@@ -26,14 +27,15 @@ HISTORY = {'stamps': 1, 'poses': 1, 'widths': 1, 'heights': 1, 'covariances': 36
            'measured_widths': 1, 'measured_heights': 1, 'measured_covariances': 36}
 
 
-def is_close(a, b, tolerance):
-    return math.isclose(a, b, rel_tol=tolerance, abs_tol=FLOOR) or (math.isnan(a) and math.isnan(b))
+def is_close(a, b, tolerance, path):
+    floor = COVARIANCE_FLOOR if 'covariance' in path else FLOOR
+    return math.isclose(a, b, rel_tol=tolerance, abs_tol=floor) or (math.isnan(a) and math.isnan(b))
 
 
 def quaternion_differences(a, b, tolerance, path):
     sign = math.copysign(1, sum(getattr(a, slot) * getattr(b, slot) for slot in 'xyzw'))
     for slot in 'xyzw':
-        if not is_close(getattr(a, slot), sign * getattr(b, slot), tolerance):
+        if not is_close(getattr(a, slot), sign * getattr(b, slot), tolerance, path):
             yield '%s.%s' % (path, slot), getattr(a, slot), getattr(b, slot)
 
 
@@ -48,7 +50,7 @@ def list_differences(a, b, tolerance, path, start=0, ignored=IGNORED):
 def differences(a, b, tolerance, path='', ignored=IGNORED):
     """Yields (path, a's value, b's value) of every field in which two messages differ."""
     if isinstance(a, float) and isinstance(b, float):
-        if not is_close(a, b, tolerance):
+        if not is_close(a, b, tolerance, path):
             yield path, a, b
     elif isinstance(a, (list, tuple)):
         yield from list_differences(a, b, tolerance, path, 0, ignored)

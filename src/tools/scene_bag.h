@@ -13,7 +13,7 @@ namespace cabinet_articulation {
 /// What of a simulated scene goes to a bag.
 struct SceneBagConfig {
   core::SimulationConfig simulation;
-  int frames = 0;                             ///< at most; 0: one run of the scene's motion
+  int frames = 0;                             ///< 0: one run of the scene's motion; after it nothing moves
   std::set<std::string> inputs = {"stereo"};  ///< of stereo, disparity, depth: the topics that pipeline.launch takes with each
   ros::Time start{1000};                      ///< stamp of the first frame
   std::string camera = "/stereo";             ///< namespace of the topics

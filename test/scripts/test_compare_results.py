@@ -95,13 +95,14 @@ class Messages(unittest.TestCase):
     def test_allows_rounding(self):
         def change(other):
             other.rectangles[0].pose.pose.position.x *= 1 + 1e-10
-            other.rectangles[0].pose.pose.position.y = 1e-16
+            other.rectangles[0].pose.pose.position.y = 1e-13
         self.expect_difference(rectangles(1), change, [])
 
     def test_small_numbers_count(self):
         def change(other):
-            other.rectangles[0].pose.pose.position.y = 1e-12
-        self.expect_difference(rectangles(1), change, ['rectangles[0].pose.pose.position.y'])
+            other.rectangles[0].pose.pose.position.y = 1e-11
+            other.rectangles[0].pose.covariance[3] += 1e-13
+        self.expect_difference(rectangles(1), change, ['rectangles[0].pose.pose.position.y', 'rectangles[0].pose.covariance[3]'])
 
     def test_nan_equals_nan_only(self):
         def change(other):
