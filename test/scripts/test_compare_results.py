@@ -37,31 +37,26 @@ def models(second):
     return ArticulationModelArray(header=header(second), models=[model])
 
 
-class Part:
-    """A Track with the fields that say which part of it a message carries."""
-    __slots__ = ['header', 'id', 'revision', 'first', 'stamps', 'poses', 'widths', 'covariances', 'measured_widths']
-
-    def __init__(self, last, observations, first=0, revision=1):
-        self.header, self.id, self.first, self.revision = header(last), 3, first, revision
-        self.stamps = [genpy.Time(i) for i in observations]
-        self.poses = [Pose(orientation=Quaternion(w=1)) for _ in observations]
-        self.widths = [0.1 * i for i in observations]
-        self.covariances = [1e-6 * i for i in observations for _ in range(36)]
-        self.measured_widths = [0.2 * i for i in observations]
+def part(last, observations, first=0, revision=1):
+    """A track whose newest observation is `last`, with these of them."""
+    return Track(header=header(last), id=3, first=first, revision=revision, stamps=[genpy.Time(i) for i in observations],
+                 poses=[Pose(orientation=Quaternion(w=1)) for _ in observations], widths=[0.1 * i for i in observations],
+                 covariances=[1e-6 * i for i in observations for _ in range(36)],
+                 measured_widths=[0.2 * i for i in observations])
 
 
 def tracks(second, *parts):
-    return TrackArray(header=header(second), tracks=list(parts))
+    return TrackArray(header=header(second), tracks=parts)
 
 
 def whole(count, revision=1):
     """A frame with one track of so many observations."""
-    return tracks(count, Part(count, range(1, count + 1), 0, revision))
+    return tracks(count, part(count, range(1, count + 1), 0, revision))
 
 
 def newest(count, revision=1):
     """The same, with the last observation only."""
-    return tracks(count, Part(count, [count], count - 1, revision))
+    return tracks(count, part(count, [count], count - 1, revision))
 
 
 def found(live, offline, topic='models'):
@@ -174,11 +169,11 @@ class Tracks(unittest.TestCase):
         self.expect([whole(1), newest(2), newest(3), newest(4)], [whole(1), whole(2), whole(3), whole(4)])
 
     def test_what_comes_twice_replaces_what_was_there(self):
-        again = tracks(3, Part(3, [2, 3], 1))
+        again = tracks(3, part(3, [2, 3], 1))
         self.expect([whole(1), newest(2), again], [whole(1), whole(2), whole(3)])
 
     def test_a_message_may_bring_nothing(self):
-        self.expect([whole(2), tracks(3, Part(2, [], 2))], [whole(2), tracks(3, Part(2, [1, 2]))])
+        self.expect([whole(2), tracks(3, part(2, [], 2))], [whole(2), tracks(3, part(2, [1, 2]))])
 
     def test_a_history_that_differs_is_found_when_it_comes(self):
         other = [whole(1), newest(2), newest(3)]
@@ -187,7 +182,7 @@ class Tracks(unittest.TestCase):
         self.assertEqual(len(result.frames), 2, 'it stays in the history')
 
     def test_a_lost_observation_is_found(self):
-        self.expect([whole(1), whole(2)], [whole(1), tracks(2, Part(2, [], 1))], 'tracks[0].stamps (length)')
+        self.expect([whole(1), whole(2)], [whole(1), tracks(2, part(2, [], 1))], 'tracks[0].stamps (length)')
 
     def test_after_a_gap_the_next_whole_one_counts(self):
         live = [whole(1), newest(3), newest(4), whole(5), newest(6)]
@@ -197,7 +192,7 @@ class Tracks(unittest.TestCase):
         self.assertIn('2 times the history of a track was not compared', result.text())
 
     def test_a_gap_where_nothing_is_missing_is_a_failure(self):
-        late = tracks(2, Part(2, [2], 2))
+        late = tracks(2, part(2, [2], 2))
         result = self.expect([whole(1), late], [whole(1), newest(2)], gaps=1)
         self.assertEqual(compare_results.verdict([result], 1e-9, False)[0], 1)
 
