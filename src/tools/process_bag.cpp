@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bag_transforms.h"
+#include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "rectifier.h"
@@ -24,11 +25,13 @@ constexpr char kUsage[] =
     "usage: process_bag IN.bag OUT.bag [options]\n"
     "  --config DIR        stereo.yaml, planes.yaml, ...; a missing file means that stage's defaults\n"
     "  --fixed-frame FRAME all poses in this frame, by the bag's tf (default: the left camera's optical frame)\n"
+    "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n"
     "  --camera NAMESPACE  of left/, right/ image_raw or image_rect, and camera_info (default: /stereo)\n";
 
 struct Options {
   std::string input, output, config, fixed_frame;
   std::string camera = "/stereo";
+  bool camera_rectangles = false;
 };
 
 /// Throws std::invalid_argument. Nothing if only help was asked for.
@@ -37,13 +40,17 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   const option known[] = {{"config", required_argument, nullptr, 'c'},
                           {"fixed-frame", required_argument, nullptr, 'f'},
                           {"camera", required_argument, nullptr, 's'},
+                          {"camera-rectangles", no_argument, nullptr, 'r'},
                           {"help", no_argument, nullptr, 'h'},
                           {nullptr, 0, nullptr, 0}};
   opterr = 0;
   for (int choice; (choice = getopt_long(argc, argv, "h", known, nullptr)) != -1;) {
     if (choice == 'h') return std::nullopt;
     if (choice == '?') throw std::invalid_argument(std::string("unknown option or missing value: ") + argv[optind - 1]);
-    (choice == 'c' ? options.config : choice == 'f' ? options.fixed_frame : options.camera) = optarg;
+    if (choice == 'r')
+      options.camera_rectangles = true;
+    else
+      (choice == 'c' ? options.config : choice == 'f' ? options.fixed_frame : options.camera) = optarg;
   }
   if (argc - optind != 2) throw std::invalid_argument("expected two bags, got " + std::to_string(argc - optind));
   options.input = argv[optind];
@@ -103,7 +110,10 @@ class Run {
                                                           rectified(1, right->image, *pair.right_info), camera, T_fixed_camera);
     summary_.add(result);
     if (!output_) output_.emplace(options_.output);
-    output_->write(header, core::transformed(result.rectangles, T_fixed_camera), result.track_updates, result.models);
+    const RectangleArray rectangles = options_.camera_rectangles
+                                          ? toMessage(result.rectangles, pair.left->header)
+                                          : toMessage(core::transformed(result.rectangles, T_fixed_camera), header);
+    output_->write(header, rectangles, result.track_updates, result.models);
   }
 
   cv::Mat rectified(int side, const cv::Mat& image, const sensor_msgs::CameraInfo& info) {

@@ -25,9 +25,9 @@ void ResultBag::add(const std::string& topic, const std_msgs::Header& header, co
   }
 }
 
-void ResultBag::write(const std_msgs::Header& header, const std::vector<core::DetectedRectangle>& rectangles,
+void ResultBag::write(const std_msgs::Header& header, const RectangleArray& rectangles,
                       const std::vector<core::TrackUpdate>& tracks, const std::vector<core::LearnedModel>& models) {
-  add("/cabinet/rectangles", header, toMessage(rectangles, header));
+  add("/cabinet/rectangles", header, rectangles);
   add("/cabinet/tracks", header, toMessage(tracks, header));
   add("/cabinet/models", header, toMessage(models, header));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cabinet_articulation/RectangleArray.h>
 #include <rosbag/bag.h>
 #include <std_msgs/Header.h>
 
@@ -17,9 +18,9 @@ class ResultBag {
  public:
   explicit ResultBag(const std::string& path);
 
-  /// One frame. Tracks hold what is new, as the nodelet publishes them.
-  void write(const std_msgs::Header& header, const std::vector<core::DetectedRectangle>& rectangles,
-             const std::vector<core::TrackUpdate>& tracks, const std::vector<core::LearnedModel>& models);
+  /// One frame; the rectangles may be in a frame of their own. Tracks hold what is new, as the nodelet publishes them.
+  void write(const std_msgs::Header& header, const RectangleArray& rectangles, const std::vector<core::TrackUpdate>& tracks,
+             const std::vector<core::LearnedModel>& models);
 
   /// The whole histories, in a last message on /cabinet/tracks.
   void close(const std_msgs::Header& header, const std::vector<core::Track>& tracks);

@@ -4,13 +4,12 @@
 #include <cabinet_articulation/Predict.h>
 #include <cabinet_articulation/SceneTruth.h>
 #include <cabinet_articulation/TrackArray.h>
-#include <cv_bridge/cv_bridge.h>
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <sensor_msgs/JointState.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
@@ -18,8 +17,8 @@
 #include <filesystem>
 #include <map>
 
-#include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/simulation_conversions.h"
+#include "scene_bag.h"
 #include "support/ros_probe.h"
 #include "truth_comparison.h"
 
@@ -51,30 +50,15 @@ class Program {
 class LoopedBag : public testing::Test {
  protected:
   LoopedBag() : bag_(std::filesystem::temp_directory_path() / ("looped_bag_rostest." + std::to_string(::getpid()) + ".bag")) {
-    core::SimulationConfig config;
-    config.scene = "drawer";
-    config.hand = false;
-    config.camera_motion = 0.1;
-    config.rate = 10;
-    core::SimulatedStereoCamera camera(config);
-    rosbag::Bag bag(bag_.string(), rosbag::bagmode::Write);
-    for (int i = 0; i < camera.frameCount(); ++i) {
-      const core::StereoFrame frame = camera.frame(i);
-      std_msgs::Header header;
-      header.stamp = ros::Time(1000) + ros::Duration(i / config.rate);
-      header.frame_id = "optical";
-      tf2_msgs::TFMessage tf;
-      tf.transforms.push_back(tf2::eigenToTransform(frame.truth.T_world_camera));
-      tf.transforms[0].header.stamp = header.stamp;
-      tf.transforms[0].header.frame_id = "world";
-      tf.transforms[0].child_frame_id = "optical";
-      bag.write("/tf", header.stamp, tf);
-      bag.write("/stereo/left/camera_info", header.stamp, toLeftCameraInfo(camera.camera(), header));
-      bag.write("/stereo/right/camera_info", header.stamp, toRightCameraInfo(camera.camera(), header));
-      bag.write("/stereo/left/image_raw", header.stamp, toMessage(frame.left, header));
-      bag.write("/stereo/right/image_raw", header.stamp, toMessage(frame.right, header));
-      truth_.add(inFrame(toMessage(frame.truth, header, "world"), "world"));
-    }
+    SceneBagConfig config;
+    config.simulation.scene = "drawer";
+    config.simulation.hand = false;
+    config.simulation.camera_motion = 0.1;
+    config.simulation.rate = 10;
+    writeSceneBag(bag_.string(), config);
+    rosbag::Bag bag(bag_.string());
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag))
+      if (const auto truth = instance.instantiate<SceneTruth>()) truth_.add(inFrame(*truth, config.world_frame));
   }
 
   ~LoopedBag() override { std::filesystem::remove(bag_); }

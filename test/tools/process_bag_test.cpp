@@ -4,13 +4,13 @@
 #include <cabinet_articulation/TrackArray.h>
 #include <rosbag/view.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <opencv2/imgproc.hpp>
 #include <set>
 
 #include "cabinet_articulation/geometry/degrees.h"
+#include "scene_bag.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {
@@ -51,29 +51,15 @@ class ProcessBag : public StereoBagFixture {
     bag.write("/stereo/right/camera_info", time, frame.right_info);
   }
 
-  /// The simulated door from a wandering camera, with tf. At most `frames` of it.
-  core::SimulationConfig writeDoor(const std::string& name, int frames = 1000) const {
-    core::SimulationConfig config;
-    config.scene = "door";
-    config.rate = 3;
-    config.camera_motion = 0.05;
-    core::SimulatedStereoCamera simulation(config);
-    rosbag::Bag bag(path(name), rosbag::bagmode::Write);
-    for (int i = 0; i < std::min(frames, simulation.frameCount()); ++i) {
-      const ros::Time stamp(100 + i / config.rate);
-      const core::StereoFrame frame = simulation.frame(i);
-      tf2_msgs::TFMessage transforms;
-      transforms.transforms.push_back(tf2::eigenToTransform(frame.truth.T_world_camera));
-      transforms.transforms[0].header.stamp = stamp;
-      transforms.transforms[0].header.frame_id = "world";
-      transforms.transforms[0].child_frame_id = kOpticalFrame;
-      bag.write("/tf", stamp, transforms);
-      write(bag,
-            {imageOf(frame.left, stamp), imageOf(frame.right, stamp), infoOf(simulation.camera(), false, stamp),
-             infoOf(simulation.camera(), true, stamp)},
-            stamp);
-    }
-    return config;
+  /// The simulated door from a wandering camera, with tf. `frames` of it, the whole run if 0. Returns their number.
+  int writeDoor(const std::string& name, int frames = 0) const {
+    SceneBagConfig config;
+    config.simulation.scene = "door";
+    config.simulation.rate = 3;
+    config.simulation.camera_motion = 0.05;
+    config.frames = frames;
+    config.start = ros::Time(100);
+    return writeSceneBag(path(name), config);
   }
 
   void expectFailure(const std::string& arguments, const std::string& words) const {
@@ -84,13 +70,12 @@ class ProcessBag : public StereoBagFixture {
 };
 
 TEST_F(ProcessBag, LearnsADoorInTheFixedFrame) {
-  const core::SimulationConfig config = writeDoor("door.bag");
+  const int frames = writeDoor("door.bag");
   const Outcome outcome = run("door.bag out.bag --fixed-frame world");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("rotational"), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("articulation"), std::string::npos) << "milliseconds of each stage";
 
-  core::SimulatedStereoCamera simulation(config);
   rosbag::Bag bag(path("out.bag"));
   std::set<ros::Time> stamps;
   ArticulationModelArray::ConstPtr models;
@@ -101,7 +86,7 @@ TEST_F(ProcessBag, LearnsADoorInTheFixedFrame) {
     }
     if (const auto message = instance.instantiate<ArticulationModelArray>()) models = message;
   }
-  EXPECT_EQ(stamps.size(), static_cast<size_t>(simulation.frameCount())) << "every frame, with its own stamp";
+  EXPECT_EQ(stamps.size(), static_cast<size_t>(frames)) << "every frame, with its own stamp";
   EXPECT_EQ(*stamps.begin(), ros::Time(100));
   ASSERT_TRUE(models);
   int movers = 0;
@@ -111,6 +96,26 @@ TEST_F(ProcessBag, LearnsADoorInTheFixedFrame) {
     EXPECT_GT(std::abs(model.axis.z), std::cos(3 * core::kDegree)) << "the hinge is upright in the world";
   }
   EXPECT_EQ(movers, 1);
+}
+
+TEST_F(ProcessBag, LeavesRectanglesInTheCamerasFrameIfAsked) {
+  writeDoor("door.bag", 6);
+  ASSERT_EQ(run("door.bag camera.bag").status, 0);
+  ASSERT_EQ(run("door.bag both.bag --fixed-frame world --camera-rectangles").status, 0);
+  const auto first = [this](const std::string& name) {
+    rosbag::Bag bag(path(name));
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery("/cabinet/rectangles")))
+      if (const auto message = instance.instantiate<RectangleArray>(); !message->rectangles.empty()) return *message;
+    return RectangleArray();
+  };
+  const RectangleArray expected = first("camera.bag");
+  const RectangleArray rectangles = first("both.bag");
+  ASSERT_FALSE(expected.rectangles.empty());
+  EXPECT_EQ(rectangles.header, expected.header);
+  EXPECT_EQ(rectangles.rectangles, expected.rectangles);
+  rosbag::Bag bag(path("both.bag"));
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery("/cabinet/tracks")))
+    EXPECT_EQ(instance.instantiate<TrackArray>()->header.frame_id, "world");
 }
 
 TEST_F(ProcessBag, TheSameInputGivesTheSameBytes) {

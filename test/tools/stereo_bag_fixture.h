@@ -6,8 +6,6 @@
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sys/wait.h>
-#include <tf2_eigen/tf2_eigen.h>
-#include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -16,7 +14,7 @@
 #include <sstream>
 #include <string>
 
-#include "cabinet_articulation/simulation/simulated_stereo_camera.h"
+#include "cabinet_articulation/geometry/stereo_camera.h"
 
 namespace cabinet_articulation {
 
