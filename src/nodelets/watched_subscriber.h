@@ -16,10 +16,12 @@ class WatchedSubscriber {
   void subscribe(ros::NodeHandle& nh, const std::string& topic,
                  const std::function<void(const boost::shared_ptr<const Message>&)>& callback) {
     heard_ = ros::WallTime::now().toSec();
-    subscriber_ = nh.subscribe<Message>(topic, kQueue, [this, callback](const boost::shared_ptr<const Message>& message) {
+    const auto heard = [this, callback](const boost::shared_ptr<const Message>& message) {
       heard_ = ros::WallTime::now().toSec();
       callback(message);
-    });
+    };
+    // Most messages are small: without this, TCP holds them back for some 40 ms where stages run in several processes.
+    subscriber_ = nh.subscribe<Message>(topic, kQueue, heard, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
     topic_ = subscriber_.getTopic();
   }
 

@@ -95,7 +95,10 @@ class KnownFrontsChain : public testing::Test {
       header.frame_id = "map";
       header.stamp = ros::Time(start + i / kRate);
       const double q = 0.15 * (1 - std::cos(2 * M_PI * std::max(0, i - kRest) / (kFrames - kRest)));
-      const auto answered = [&] { return !models_.messages.empty() && models_.messages.back()->header.stamp == header.stamp; };
+      const auto has = [&](const auto& recorder) {
+        return !recorder.messages.empty() && recorder.messages.back()->header.stamp == header.stamp;
+      };
+      const auto answered = [&] { return has(models_) && has(tracks_); };
       rectangles_.publish(toMessage({drawer(-0.5, q), drawer(0.5, q)}, header));
       if (!spinUntil(answered, 1)) ++missed;
     }
@@ -112,7 +115,7 @@ class KnownFrontsChain : public testing::Test {
 
   size_t observationsAt(double x) const {
     for (const Track& track : tracks_.messages.back()->tracks)
-      if (track.id == idAt(x)) return track.poses.size();
+      if (track.id == idAt(x)) return track.first + track.poses.size();
     return 0;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cabinet_articulation/PlaneArray.h>
 #include <cabinet_articulation/RectangleArray.h>
+#include <cabinet_articulation/Timing.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,22 +70,68 @@ TEST_F(RectanglesNodelet, FindsTheFront) {
   EXPECT_FALSE(rectangles.header.stamp.isZero());
 }
 
-TEST_F(RectanglesNodelet, ExpectationsThatCannotBePlacedNeverBlock) {
-  ros::Publisher expected = nh_.advertise<ExpectedFrontArray>("expected_fronts", 1);
-  ASSERT_TRUE(spinUntil([&] { return expected.getNumSubscribers() > 0; }));
-  core::ExpectedFronts hint;
-  hint.fronts.resize(1);
-  hint.fronts[0].rectangle = scene_.front;
-  std_msgs::Header header;
-  header.frame_id = "nowhere";
-  expected.publish(toMessage(hint, header));
+/// A tracker that says what it expects after each frame, if at all.
+class RectanglesNodeletBesideATracker : public RectanglesNodelet {
+ protected:
+  void SetUp() override {
+    RectanglesNodelet::SetUp();
+    ASSERT_TRUE(spinUntil([&] { return expected_.getNumSubscribers() > 0 && timing_.connected(); }));
+    hint_.fronts.resize(1);
+    hint_.fronts[0].rectangle = scene_.front;
+    hint_.fronts[0].stamp = stamp_.toSec();
+    header_.frame_id = "optical";
+    // The first frame may come before everything listens; from then on each is answered.
+    answer();
+    ASSERT_TRUE(spinUntil([&] { return rectangles_.messages.back()->header.stamp == stamp_; }));
+  }
+
+  /// What the rectangles of one frame took.
+  Timing frame() {
+    publish();
+    Timing found;
+    EXPECT_TRUE(spinUntil([&] {
+      for (const auto& timing : timing_.messages)
+        if (timing->stage == "rectangles" && timing->header.stamp == stamp_) found = *timing;
+      return found.header.stamp == stamp_ && rectangles_.messages.back()->header.stamp == stamp_;
+    }));
+    expectFront(*rectangles_.messages.back(), scene_.front);
+    header_.stamp = stamp_;
+    return found;
+  }
+
+  core::ExpectedFronts hint_;
+  std_msgs::Header header_;  ///< of what the tracker says: the stamp is that of the newest rectangles
+  ros::Publisher expected_ = nh_.advertise<ExpectedFrontArray>("expected_fronts", 1);
+  Recorder<Timing> timing_{"timing", 1000};
+};
+
+TEST_F(RectanglesNodeletBesideATracker, WaitsForTheTracksAfterTheFrameBefore) {
+  frame();
+  for (int i = 0; i < 3; ++i) {
+    expected_.publish(toMessage(hint_, header_));
+    const Timing timing = frame();
+    EXPECT_FALSE(timing.incomplete);
+    EXPECT_GT(timing.milliseconds, 0);
+  }
+}
+
+TEST_F(RectanglesNodeletBesideATracker, WaitsNoLongerThanAFrameAndSaysSo) {
+  frame();
+  const Timing timing = frame();
+  EXPECT_TRUE(timing.incomplete);
+  EXPECT_GE(timing.waited, 100) << "frames come every 0.1 s by their stamps";
+  EXPECT_TRUE(spinUntil(
+      [&] { return reports_.statusHas("rectangles", "the tracks after the frame before did not come within a frame's time, 100 ms"); }))
+      << reports_.status("rectangles");
+}
+
+TEST_F(RectanglesNodeletBesideATracker, ExpectationsThatCannotBePlacedAreLeftOut) {
+  header_.frame_id = "nowhere";
   EXPECT_TRUE(spinUntil([&] {
-    expectFront(answer(), scene_.front);
-    return reports_.statusHas("rectangles", "no transform from 'nowhere' to 'optical'");
+    frame();
+    expected_.publish(toMessage(hint_, header_));
+    return frame().incomplete && reports_.statusHas("rectangles", "no transform from 'optical' to 'nowhere'");
   })) << reports_.status("rectangles");
-  header.frame_id = "optical";
-  expected.publish(toMessage(hint, header));
-  expectFront(answer(), scene_.front);
 }
 
 TEST(LazyRectanglesNodelet, TheWholeChainSleepsWhileNobodyListens) {

@@ -155,6 +155,8 @@ TEST_F(TrackingNodelet, GivesKnownFrontsTheirIdsAlsoAfterTheClockWasSetBack) {
     observation.stamp = 1000 + 0.1 * i;
     observation.rectangle = front().rectangle;
     observation.covariance = front().covariance;
+    observation.measured = observation.rectangle;
+    observation.measured_covariance = observation.covariance;
     known.observations.push_back(observation);
   }
   KnownFrontArray message;
