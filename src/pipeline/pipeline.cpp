@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 #include "cabinet_articulation/pipeline/as_sent.h"
 
@@ -64,17 +65,34 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
     return updates_.of(tracking_.process(stamp, transformed(asSent(result.rectangles), T_fixed_camera)), stamp);
   });
   result.models = timed(times.articulation, [&] {
-    result.tracks = &assembly_.add(asSent(result.track_updates));
-    return articulation_.process(*result.tracks);
+    known_.follow(asSent(result.track_updates));
+    std::vector<LearnedModel> models = articulation_.process(known_.tracks());
+    known_.update(models);
+    return models;
   });
+  result.tracks = &known_.tracks();
   return result;
 }
 
 void Pipeline::reset() {
   tracking_.reset();
   updates_.startAnew();
-  assembly_.clear();
+  known_.replace({});
   articulation_.reset();
+}
+
+void Pipeline::startAfresh() {
+  const std::vector<KnownFront> joints = known_.joints();
+  reset();
+  known_.replace(joints);
+  std::vector<Track> tracks;
+  std::vector<LearnedModel> models;
+  for (const KnownFront& joint : joints) {
+    tracks.push_back(joint.track);
+    models.push_back(joint.model);
+  }
+  tracking_.remember(std::move(tracks));
+  articulation_.remember(models);
 }
 
 std::vector<Rectangle> expectedInCamera(const ExpectedFronts& fronts, double stamp, const Eigen::Isometry3d& T_fixed_camera) {

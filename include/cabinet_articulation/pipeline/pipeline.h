@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/known_fronts.h"
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
@@ -61,10 +62,14 @@ class Pipeline {
   PipelineResult process(double stamp, const DepthFrame& frame,
                          const Eigen::Isometry3d& T_fixed_camera = Eigen::Isometry3d::Identity());
 
-  const std::vector<Track>& tracks() const { return assembly_.tracks(); }
+  const std::vector<Track>& tracks() const { return known_.tracks(); }
 
   /// Forgets all tracks and models.
   void reset();
+
+  /// Time was set back: joints stay known, and get their ids and histories back when they are seen again; all else is
+  /// forgotten. The nodelets do the same.
+  void startAfresh();
 
  private:
   BlockMatcher stereo_;
@@ -72,7 +77,7 @@ class Pipeline {
   RectangleDetector rectangles_;
   RectangleTracker tracking_;
   TrackUpdates updates_;
-  TrackAssembly assembly_;
+  KnownFronts known_;
   ArticulationLearner articulation_;
 };
 
