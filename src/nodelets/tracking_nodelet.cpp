@@ -40,6 +40,7 @@ class TrackingStage : public StageNodelet {
   }
 
   void subscribe() override {
+    if (!fixed_frame_.fixed_frame.empty()) transforms_.listen();
     // Offered only while this stage works, so that the detector knows whether to wait for it. A hint for the detector, whose
     // interest alone must not keep both stages working.
     std::lock_guard<std::mutex> lock(expected_mutex_);
