@@ -5,9 +5,9 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
-#include "clock_jump.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 

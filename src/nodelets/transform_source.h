@@ -10,7 +10,7 @@
 #include <mutex>
 #include <string>
 
-#include "clock_jump.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 
 namespace cabinet_articulation {
 
