@@ -7,9 +7,9 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/joints.h"
-#include "clock_jump.h"
 #include "model_services.h"
 #include "model_store.h"
 #include "stage_nodelet.h"

@@ -3,11 +3,11 @@
 
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/input_settings.h"
 #include "cabinet_articulation/ros/markers.h"
 #include "cabinet_articulation/ros/model_drawing.h"
 #include "cabinet_articulation/ros/overlay.h"
-#include "frame_input.h"
-#include "recent_messages.h"
+#include "cabinet_articulation/ros/recent_messages.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 

@@ -34,13 +34,13 @@ class PlanesStage : public StageNodelet {
     segmenter_ = std::make_unique<core::PlaneSegmenter>(config);
     offerTuning<core::PlanesConfig>(config,
                                     [this](const auto& tuned) { segmenter_ = std::make_unique<core::PlaneSegmenter>(tuned); });
-    frames_ = std::make_unique<FrameInput>(input, sync);
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     planes_ = advertise<PlaneArray>("planes");
   }
 
   void subscribe() override {
-    frames_->subscribe(getNodeHandle(), [this](const FrameMessages& messages) {
+    frames_->subscribe([this](const FrameMessages& messages) {
       workOnNewest([this, messages] { process(messages); });
     });
   }

@@ -36,7 +36,7 @@ class RectanglesStage : public StageNodelet {
     detector_ = std::make_unique<core::RectangleDetector>(config);
     offerTuning<core::RectanglesConfig>(
         config, [this](const auto& tuned) { detector_ = std::make_unique<core::RectangleDetector>(tuned); });
-    frames_ = std::make_unique<FrameInput>(input, sync);
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync);
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     rectangles_ = advertise<RectangleArray>("rectangles");
@@ -44,7 +44,9 @@ class RectanglesStage : public StageNodelet {
 
   void subscribe() override {
     ros::NodeHandle& nh = getNodeHandle();
-    frames_->subscribe(nh, {});
+    frames_->subscribe([this](const FrameMessages& frame) {
+      if (early_planes_ && early_planes_->header.stamp == frame.header().stamp) add(early_planes_);
+    });
     planes_topic_.subscribe<PlaneArray>(nh, "planes", [this](const auto& planes) { add(planes); });
     expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", [this](const auto& expected) { expected_.put(expected); });
   }
@@ -54,16 +56,16 @@ class RectanglesStage : public StageNodelet {
     expected_topic_.shutdown();
     if (frames_) frames_->unsubscribe();
     expected_.clear();
+    early_planes_.reset();
   }
 
   void interrupt() override { expected_.interrupt(); }
 
-  void add(const PlaneArrayConstPtr& planes) {
+  void add(PlaneArrayConstPtr planes) {
     const std::optional<FrameMessages> frame = frames_->find(planes->header.stamp);
-    if (!frame)
-      health().dropped();
-    else
-      workOnNewest([this, input = Input{*frame, planes}] { process(input); });
+    if (early_planes_ && early_planes_ != planes) health().dropped();
+    early_planes_ = frame ? nullptr : planes;
+    if (frame) workOnNewest([this, input = Input{*frame, planes}] { process(input); });
   }
 
   void process(const Input& input) {
@@ -115,6 +117,7 @@ class RectanglesStage : public StageNodelet {
   TransformSource transforms_;
   ExpectedInbox expected_;
   ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published
+  PlaneArrayConstPtr early_planes_;  ///< their frame is not complete yet
   ros::Publisher rectangles_;
   std::unique_ptr<FrameInput> frames_;
   WatchedSubscriber planes_topic_, expected_topic_;

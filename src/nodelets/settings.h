@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cabinet_articulation/config/config.h"
+#include "cabinet_articulation/ros/input_settings.h"
 
 /*
  * What can be set at a nodelet besides the configuration of its stage. In one place, so that the documentation is printed from
@@ -22,36 +23,6 @@ struct StageSettings {
     visit("lazy", self.lazy, "work only while somebody subscribes to the results");
     visit("diagnostic_period", self.diagnostic_period, core::Range{0.05, 60}, "s",
           "how often the state is published on /diagnostics");
-  }
-};
-
-/// How the two images of a pair find each other.
-struct SyncConfig {
-  bool approximate_sync = false;
-  double sync_tolerance = 0.01;  ///< [s]
-
-  double tolerance() const { return approximate_sync ? sync_tolerance : 0; }
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("approximate_sync", self.approximate_sync,
-          "pair left and right images whose stamps differ (cameras without a common trigger)");
-    visit("sync_tolerance", self.sync_tolerance, core::Range{0, 0.5}, "s",
-          "largest difference of the stamps in an approximate pair");
-  }
-};
-
-/// Where the depth comes from.
-struct FrameInputConfig {
-  std::string input = "disparity";
-  double virtual_baseline = 0.075;  ///< [m]
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor&& visit) {
-    visit("input", self.input, core::Choices{"disparity", "depth"},
-          "topics to subscribe to: disparity (and its images) or depth");
-    visit("virtual_baseline", self.virtual_baseline, core::Range{0.01, 1}, "m",
-          "depth camera: baseline of the pair it is treated as (Kinect: 0.075)");
   }
 };
 

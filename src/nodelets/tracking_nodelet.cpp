@@ -5,9 +5,9 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
-#include "clock_jump.h"
 #include "stage_nodelet.h"
 #include "transform_source.h"
 
@@ -40,6 +40,7 @@ class TrackingStage : public StageNodelet {
   }
 
   void subscribe() override {
+    if (!fixed_frame_.fixed_frame.empty()) transforms_.listen();
     // Offered only while this stage works, so that the detector knows whether to wait for it. A hint for the detector, whose
     // interest alone must not keep both stages working.
     std::lock_guard<std::mutex> lock(expected_mutex_);

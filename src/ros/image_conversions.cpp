@@ -51,6 +51,12 @@ cv_bridge::CvImageConstPtr guarded(const std::string& topic, const Convert& conv
   }
 }
 
+/// A message holds focal length and baseline in single precision only.
+bool computedFrom(const stereo_msgs::DisparityImage& disparity, const sensor_msgs::CameraInfo& left,
+                  const sensor_msgs::CameraInfo& right) {
+  return static_cast<float>(left.P[0]) == disparity.f && static_cast<float>(-right.P[3] / right.P[0]) == disparity.T;
+}
+
 void fillImage(const cv::Mat& pixels, const std_msgs::Header& header, const std::string& encoding, sensor_msgs::Image* image) {
   image->header = header;
   image->encoding = encoding;
@@ -98,10 +104,14 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
                                      const sensor_msgs::CameraInfo* right) {
   if (!(disparity.f > 0)) wrong(topic, "f", disparity.f, "the focal length in pixels");
   if (!(disparity.T > 0)) wrong(topic, "T", disparity.T, "the baseline in metres, a positive number");
-  // The right camera that the message implies: the focal length and the baseline it was computed with.
   std::array<double, 12> P_right = projection(left);
-  P_right[3] = -P_right[0] * (static_cast<double>(disparity.f) * disparity.T / left.P[0]);
-  if (right) P_right[2] = right->P[2];
+  if (right && computedFrom(disparity, left, *right)) {
+    P_right = projection(*right);
+  } else {
+    // The right camera that the message implies: the focal length and the baseline it was computed with.
+    P_right[3] = -P_right[0] * (static_cast<double>(disparity.f) * disparity.T / left.P[0]);
+    if (right) P_right[2] = right->P[2];
+  }
   try {
     return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
                                                P_right);

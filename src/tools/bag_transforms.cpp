@@ -2,17 +2,11 @@
 #include "bag_transforms.h"
 
 #include <rosbag/view.h>
-#include <tf2/exceptions.h>
-#include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "cabinet_articulation/ros/transform_lookup.h"
+
 namespace cabinet_articulation {
-namespace {
-
-std::string withoutSlash(const std::string& frame) { return !frame.empty() && frame[0] == '/' ? frame.substr(1) : frame; }
-
-}  // namespace
-
 BagTransforms::BagTransforms(const rosbag::Bag& bag) {
   rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{"/tf", "tf", "/tf_static", "tf_static"}));
   const ros::Duration length = view.size() > 0 ? view.getEndTime() - view.getBeginTime() : ros::Duration(0);
@@ -26,7 +20,7 @@ BagTransforms::BagTransforms(const rosbag::Bag& bag) {
 }
 
 Eigen::Isometry3d BagTransforms::lookup(const std::string& target, const std::string& source, const ros::Time& stamp) const {
-  return tf2::transformToEigen(buffer_->lookupTransform(withoutSlash(target), withoutSlash(source), stamp));
+  return lookupTransform(*buffer_, target, source, stamp);
 }
 
 }  // namespace cabinet_articulation

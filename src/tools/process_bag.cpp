@@ -9,14 +9,12 @@
 #include <optional>
 
 #include "bag_transforms.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/pose_conversions.h"
-#include "rectifier.h"
+#include "frame_bag.h"
 #include "result_bag.h"
 #include "run_program.h"
 #include "run_summary.h"
-#include "stereo_bag.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -26,11 +24,15 @@ constexpr char kUsage[] =
     "  --config DIR        stereo.yaml, planes.yaml, ...; a missing file means that stage's defaults\n"
     "  --fixed-frame FRAME all poses in this frame, by the bag's tf (default: the left camera's optical frame)\n"
     "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n"
-    "  --camera NAMESPACE  of left/, right/ image_raw or image_rect, and camera_info (default: /stereo)\n";
+    "  --input KIND        stereo (default), disparity or depth\n"
+    "  --camera NAMESPACE  of the input's topics (default: /stereo, else the only ones in the bag that fit), which are for\n"
+    "                      stereo: left/, right/ image_raw or image_rect, and camera_info;\n"
+    "                      disparity: disparity, left/camera_info; right/camera_info and left/, right/ image_rect if there;\n"
+    "                      depth: depth/image and depth/camera_info\n";
 
 struct Options {
   std::string input, output, config, fixed_frame;
-  std::string camera = "/stereo";
+  std::string kind = "stereo", camera;
   bool camera_rectangles = false;
 };
 
@@ -39,6 +41,7 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   Options options;
   const option known[] = {{"config", required_argument, nullptr, 'c'},
                           {"fixed-frame", required_argument, nullptr, 'f'},
+                          {"input", required_argument, nullptr, 'i'},
                           {"camera", required_argument, nullptr, 's'},
                           {"camera-rectangles", no_argument, nullptr, 'r'},
                           {"help", no_argument, nullptr, 'h'},
@@ -50,12 +53,15 @@ std::optional<Options> parseOptions(int argc, char** argv) {
     if (choice == 'r')
       options.camera_rectangles = true;
     else
-      (choice == 'c' ? options.config : choice == 'f' ? options.fixed_frame : options.camera) = optarg;
+      (choice == 'c'   ? options.config
+       : choice == 'f' ? options.fixed_frame
+       : choice == 'i' ? options.kind
+                       : options.camera) = optarg;
   }
   if (argc - optind != 2) throw std::invalid_argument("expected two bags, got " + std::to_string(argc - optind));
   options.input = argv[optind];
   options.output = argv[optind + 1];
-  if (options.camera.empty() || options.camera[0] != '/') options.camera = "/" + options.camera;
+  if (!options.camera.empty() && options.camera[0] != '/') options.camera = "/" + options.camera;
   std::error_code missing;
   if (std::filesystem::equivalent(options.input, options.output, missing))
     throw std::invalid_argument("input and output are the same file: " + options.input);
@@ -70,16 +76,16 @@ core::PipelineConfig loadConfig(const Options& options) {
   return config;
 }
 
-/// Takes one pair after the other through the pipeline and into the output.
+/// Takes one frame after the other through the pipeline and into the output.
 class Run {
  public:
   explicit Run(const Options& options)
-      : options_(options), input_(options.input, options.camera), pipeline_(loadConfig(options)) {
+      : options_(options), input_(options.input, options.kind, options.camera), pipeline_(loadConfig(options)) {
     if (!options.fixed_frame.empty()) transforms_.emplace(input_.bag());
   }
 
   void processAll() {
-    input_.forEachPair([this](const StereoPair& pair) { process(pair); }, &skipped_);
+    input_.forEachFrame([this](const auto& header, const FrameViews& views) { process(header, views.frame); }, &skipped_);
     if (output_) output_->close(header_, pipeline_.tracks());
   }
 
@@ -87,69 +93,49 @@ class Run {
   const SkippedFrames& skipped() const { return skipped_; }
 
  private:
-  void process(const StereoPair& pair) {
-    const std::string stamp = std::to_string(pair.left->header.stamp.toSec());
-    if (!sizesAgree(pair)) return skipped_.add("left and right image and their CameraInfos differ in size", sizesText(pair));
-    if (!isNewer(pair.left->header.stamp)) return skipped_.add("the stamp is not newer than the frame's before", stamp);
-    std_msgs::Header header = pair.left->header;
+  void process(const std_msgs::Header& camera, const core::DepthFrame& frame) {
+    if (!isNewer(camera.stamp))
+      return skipped_.add("the stamp is not newer than the frame's before", std::to_string(camera.stamp.toSec()));
+    std_msgs::Header header = camera;
     Eigen::Isometry3d T_fixed_camera = Eigen::Isometry3d::Identity();
     if (transforms_) {
       header.frame_id = options_.fixed_frame;
       try {
-        T_fixed_camera = transforms_->lookup(options_.fixed_frame, pair.left->header.frame_id, header.stamp);
+        T_fixed_camera = transforms_->lookup(options_.fixed_frame, camera.frame_id, camera.stamp);
       } catch (const tf2::TransformException& error) {
-        return skipped_.add("no transform from '" + pair.left->header.frame_id + "' to '" + options_.fixed_frame + "'",
-                            error.what());
+        return skipped_.add("no transform from '" + camera.frame_id + "' to '" + options_.fixed_frame + "'", error.what());
       }
     }
     header_ = header;
-    const core::StereoCamera camera = toStereoCamera(*pair.left_info, *pair.right_info, input_.infoTopic(0), input_.infoTopic(1));
-    const auto left = toMono(pair.left, input_.imageTopic(0));
-    const auto right = toMono(pair.right, input_.imageTopic(1));
-    const core::PipelineResult result = pipeline_.process(header.stamp.toSec(), rectified(0, left->image, *pair.left_info),
-                                                          rectified(1, right->image, *pair.right_info), camera, T_fixed_camera);
+    const double stamp = header.stamp.toSec();
+    const core::PipelineResult result =
+        frame.disparity.empty() ? pipeline_.process(stamp, frame.left, frame.right, frame.camera, T_fixed_camera)
+                                : pipeline_.process(stamp, frame, T_fixed_camera);
     summary_.add(result);
     if (!output_) output_.emplace(options_.output);
     const RectangleArray rectangles = options_.camera_rectangles
-                                          ? toMessage(result.rectangles, pair.left->header)
+                                          ? toMessage(result.rectangles, camera)
                                           : toMessage(core::transformed(result.rectangles, T_fixed_camera), header);
     output_->write(header, rectangles, result.track_updates, result.models);
   }
 
-  cv::Mat rectified(int side, const cv::Mat& image, const sensor_msgs::CameraInfo& info) {
-    return input_.rectified() ? image : rectifiers_[side](image, info);
-  }
-
-  bool sizesAgree(const StereoPair& pair) const {
-    return pair.left->width == pair.right->width && pair.left->height == pair.right->height &&
-           pair.left->width == pair.left_info->width && pair.left->height == pair.left_info->height &&
-           pair.left->width == pair.right_info->width && pair.left->height == pair.right_info->height;
-  }
-
-  std::string sizesText(const StereoPair& pair) const {
-    const auto text = [](auto& message) { return std::to_string(message.width) + "x" + std::to_string(message.height); };
-    return "at " + std::to_string(pair.left->header.stamp.toSec()) + " images " + text(*pair.left) + " and " + text(*pair.right) +
-           ", CameraInfos " + text(*pair.left_info) + " and " + text(*pair.right_info);
-  }
-
-  /// A clock that jumps back by more than a second starts anew (a bag that was recorded in a loop).
+  /// A clock that jumps back starts anew (a bag that was recorded in a loop).
   bool isNewer(const ros::Time& stamp) {
-    if (summary_.frames() == 0 || stamp > header_.stamp) return true;
-    if (secondsBetween(stamp, header_.stamp) < 1) return false;
-    std::fprintf(stderr, "process_bag: time jumped back from %f to %f, all tracks start anew\n", header_.stamp.toSec(),
-                 stamp.toSec());
+    const std::optional<ros::Time> newest = clock_jump_.newest();
+    if (!clock_jump_(stamp)) return !newest || stamp > *newest;
+    std::fprintf(stderr, "process_bag: time jumped back from %f to %f, all tracks start anew\n", newest->toSec(), stamp.toSec());
     pipeline_.reset();
     return true;
   }
 
   Options options_;
-  StereoBag input_;
+  FrameBag input_;
   core::Pipeline pipeline_;
   std::optional<BagTransforms> transforms_;
   std::optional<ResultBag> output_;
-  Rectifier rectifiers_[2];
   RunSummary summary_;
   SkippedFrames skipped_;
+  ClockJump clock_jump_;
   std_msgs::Header header_;  ///< of the last frame processed
 };
 

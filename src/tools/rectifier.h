@@ -8,7 +8,8 @@
 
 namespace cabinet_articulation {
 
-/// One camera's images, rectified where its calibration demands it (as image_proc does).
+/// One camera's images, rectified to the same bytes as by image_proc's nodelet: that takes images without distortion (D = 0) for
+/// rectified, whatever R and P say.
 class Rectifier {
  public:
   /// Returns the image itself if it is rectified already. Throws std::runtime_error for an unknown distortion model.
@@ -17,8 +18,5 @@ class Rectifier {
  private:
   image_geometry::PinholeCameraModel model_;
 };
-
-/// False if D = 0, R = 1 and P repeats K: then the raw image is the rectified one.
-bool needsRectification(const sensor_msgs::CameraInfo& info);
 
 }  // namespace cabinet_articulation

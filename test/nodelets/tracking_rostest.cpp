@@ -4,6 +4,7 @@
 #include <cabinet_articulation/TrackArray.h>
 #include <gtest/gtest.h>
 #include <tf2_eigen/tf2_eigen.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include "cabinet_articulation/ros/conversions.h"
@@ -62,8 +63,8 @@ class TrackingNodelet : public testing::Test {
     publishSeenFrom(header, cameraPose(seconds));
   }
 
-  /// Frames at 10 Hz from `seconds` on, as fast as they are answered. The first ones may find no transform, for tf is not
-  /// listened to before it is needed.
+  /// Frames at 10 Hz from `seconds` on, as fast as they are answered. The first ones may find no transform, for
+  /// connecting to tf takes a while.
   void play(double seconds, int frames) {
     for (int i = 0; i < frames; ++i) {
       const size_t before = tracks_.messages.size();
@@ -95,6 +96,12 @@ class TrackingNodelet : public testing::Test {
   Recorder<TrackArray> tracks_{"tracks"};
   test::Reports reports_;
 };
+
+// The first test: once it listens, it goes on.
+TEST_F(TrackingNodelet, ListensToTfBeforeItsFirstFrame) {
+  const ros::Publisher tf = nh_.advertise<tf2_msgs::TFMessage>("/tf", 1);
+  EXPECT_TRUE(spinUntil([&] { return tf.getNumSubscribers() > 0; }, 5));
+}
 
 TEST_F(TrackingNodelet, SaysThatATransformIsMissing) {
   std_msgs::Header header;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/make_shared.hpp>
+#include <cmath>
 #include <limits>
 
 #include "support/ros_messages.h"
@@ -83,6 +84,37 @@ TEST(CameraConversion, DisparityCameraTrustsTheMessagesFocalLengthTimesBaseline)
   EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }), "/d: f is nan, expected the focal length in pixels");
   disparity.f = 300;
   EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", sensor_msgs::CameraInfo(), "/l"); }).find("/l: "), 0u);
+}
+
+/// A camera whose numbers no float holds.
+core::StereoCamera unevenCamera() {
+  return {320, 240, 300.1234567890123, 301.2345678901234, 155.3456789, 118.4567, 0.0812345678901, 1.234567};
+}
+
+bool same(const core::StereoCamera& a, const core::StereoCamera& b) {
+  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy &&
+         a.baseline == b.baseline && a.cx_difference == b.cx_difference;
+}
+
+TEST(CameraConversion, DisparityCameraIsTheStereoCameraThatTheMessageWasComputedWith) {
+  const sensor_msgs::CameraInfo left = cameraInfo(unevenCamera(), false), right = cameraInfo(unevenCamera(), true);
+  const core::StereoCamera expected = toStereoCamera(left, right, "l", "r");
+  auto disparity = disparityImage(expected, exampleHeader(), [](int, int) { return 10.F; });
+  EXPECT_TRUE(same(toDisparityCamera(disparity, "d", left, "l", &right), expected));
+  EXPECT_FALSE(same(toDisparityCamera(disparity, "d", left, "l"), expected)) << "or this test shows nothing";
+
+  disparity.T = std::nextafter(disparity.T, 1.F);
+  const core::StereoCamera other = toDisparityCamera(disparity, "d", left, "l", &right);
+  EXPECT_NEAR(other.focalBaseline(), static_cast<double>(disparity.f) * disparity.T, 1e-12) << "the message's own";
+  EXPECT_EQ(other.cx_difference, expected.cx_difference);
+}
+
+TEST(CameraConversion, DisparityCameraIgnoresAnUncalibratedRightCamera) {
+  const sensor_msgs::CameraInfo left = cameraInfo(smallCamera(), false);
+  sensor_msgs::CameraInfo right = cameraInfo(smallCamera(), true);
+  right.P[0] = right.P[3] = 0;
+  const auto disparity = disparityImage(smallCamera(), exampleHeader(), [](int, int) { return 10.F; });
+  EXPECT_NEAR(toDisparityCamera(disparity, "d", left, "l", &right).focalBaseline(), 300 * 0.08, 1e-6);
 }
 
 TEST(ImageConversion, MonoImageIsAView) {

@@ -20,6 +20,12 @@ namespace cabinet_articulation {
 
 constexpr char kOpticalFrame[] = "left_optical";
 
+/// One stereo pair before it is written, so that tests can spoil it.
+struct Frame {
+  sensor_msgs::Image left, right;
+  sensor_msgs::CameraInfo left_info, right_info;
+};
+
 /// Bags in a directory of their own, and the program under test.
 class StereoBagFixture : public testing::Test {
  protected:
@@ -49,6 +55,12 @@ class StereoBagFixture : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes(log)};
   }
 
+  void expectFailure(const std::string& arguments, const std::string& words) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_NE(outcome.output.find(words), std::string::npos) << "expected '" << words << "' in:\n" << outcome.output;
+  }
+
   static sensor_msgs::CameraInfo infoOf(const core::StereoCamera& camera, bool right, const ros::Time& stamp) {
     sensor_msgs::CameraInfo info;
     info.header.stamp = stamp;
@@ -68,6 +80,13 @@ class StereoBagFixture : public testing::Test {
     header.stamp = stamp;
     header.frame_id = kOpticalFrame;
     return *cv_bridge::CvImage(header, encoding, image).toImageMsg();
+  }
+
+  static void write(rosbag::Bag& bag, const Frame& frame, const ros::Time& time) {
+    bag.write("/stereo/left/image_raw", time, frame.left);
+    bag.write("/stereo/right/image_raw", time, frame.right);
+    bag.write("/stereo/left/camera_info", time, frame.left_info);
+    bag.write("/stereo/right/camera_info", time, frame.right_info);
   }
 
   std::filesystem::path directory_;

@@ -28,8 +28,9 @@ core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sen
 /// A rectified depth camera from its P, or from K where P is not filled in.
 core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std::string& topic, double virtual_baseline);
 
-/// The camera behind a disparity image: f and T are the message's own, the principal point is the left CameraInfo's. The
-/// right CameraInfo (may be null) only tells where the right image's principal point is.
+/// The camera behind a disparity image. Where the two CameraInfos (the right one may be null) are those it was computed with,
+/// the camera is toStereoCamera's to the last bit. Else f and T are the message's own, the principal point is the left
+/// CameraInfo's, and the right CameraInfo only tells where the right image's principal point is.
 core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparity, const std::string& topic,
                                      const sensor_msgs::CameraInfo& left, const std::string& left_topic,
                                      const sensor_msgs::CameraInfo* right = nullptr);

@@ -4,10 +4,7 @@
 #include <ros/time.h>
 
 #include <boost/shared_ptr.hpp>
-#include <cmath>
 #include <deque>
-
-#include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
 
@@ -25,28 +22,19 @@ class RecentMessages {
     if (messages_.size() > capacity_) messages_.pop_front();
   }
 
-  /// The message nearest to `stamp`, the newest of equals; null if none is within `tolerance` seconds.
-  Ptr find(const ros::Time& stamp, double tolerance = 0) const {
-    const Ptr found = nearest(stamp);
-    return found && difference(found, stamp) <= tolerance ? found : Ptr();
-  }
-
-  Ptr nearest(const ros::Time& stamp) const {
-    Ptr best;
+  /// The message of exactly this stamp, the newest of equals; null if there is none.
+  Ptr find(const ros::Time& stamp) const {
     for (auto it = messages_.rbegin(); it != messages_.rend(); ++it)
-      if (!best || difference(*it, stamp) < difference(best, stamp)) best = *it;
-    return best;
+      if ((*it)->header.stamp == stamp) return *it;
+    return {};
   }
 
+  /// The last to arrive; null if there is none.
   Ptr newest() const { return messages_.empty() ? Ptr() : messages_.back(); }
-  bool empty() const { return messages_.empty(); }
+
   void clear() { messages_.clear(); }
 
  private:
-  static double difference(const Ptr& message, const ros::Time& stamp) {
-    return std::abs(secondsBetween(stamp, message->header.stamp));
-  }
-
   size_t capacity_;
   std::deque<Ptr> messages_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clock_jump.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,16 @@ TEST(ClockJump, IsMoreThanFramesOutOfOrder) {
   EXPECT_FALSE(jumped(ros::Time(99)));
   EXPECT_TRUE(jumped(ros::Time(98.9)));
   EXPECT_FALSE(jumped(ros::Time(99)));
+}
+
+TEST(ClockJump, KnowsTheNewestStampSinceTheJump) {
+  ClockJump jumped;
+  EXPECT_FALSE(jumped.newest());
+  jumped(ros::Time(100));
+  jumped(ros::Time(99.5));
+  EXPECT_EQ(*jumped.newest(), ros::Time(100));
+  jumped(ros::Time(5));
+  EXPECT_EQ(*jumped.newest(), ros::Time(5));
 }
 
 TEST(ClockJump, KnowsAllTimesThatAMessageHolds) {

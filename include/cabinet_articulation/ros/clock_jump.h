@@ -3,6 +3,8 @@
 
 #include <ros/time.h>
 
+#include <optional>
+
 #include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
@@ -12,15 +14,18 @@ namespace cabinet_articulation {
 class ClockJump {
  public:
   bool operator()(const ros::Time& stamp) {
-    const bool jumped = secondsBetween(stamp, newest_) > kOutOfOrder;
-    if (jumped || stamp > newest_) newest_ = stamp;
+    const bool jumped = newest_ && secondsBetween(stamp, *newest_) > kOutOfOrder;
+    if (jumped || !newest_ || stamp > *newest_) newest_ = stamp;
     return jumped;
   }
+
+  /// The newest stamp since time was set back last; nothing before the first.
+  const std::optional<ros::Time>& newest() const { return newest_; }
 
  private:
   static constexpr double kOutOfOrder = 1;  ///< [s]
 
-  ros::Time newest_;
+  std::optional<ros::Time> newest_;
 };
 
 }  // namespace cabinet_articulation

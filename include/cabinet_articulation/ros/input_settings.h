@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "cabinet_articulation/config/config.h"
+
+namespace cabinet_articulation {
+
+/// How the two images of a pair find each other.
+struct SyncConfig {
+  bool approximate_sync = false;
+  double sync_tolerance = 0.01;  ///< [s]
+
+  double tolerance() const { return approximate_sync ? sync_tolerance : 0; }
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("approximate_sync", self.approximate_sync,
+          "pair left and right images whose stamps differ (cameras without a common trigger)");
+    visit("sync_tolerance", self.sync_tolerance, core::Range{0, 0.5}, "s",
+          "largest difference of the stamps in an approximate pair");
+  }
+};
+
+/// Where the depth comes from.
+struct FrameInputConfig {
+  std::string input = "disparity";
+  double virtual_baseline = 0.075;  ///< [m]
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("input", self.input, core::Choices{"disparity", "depth"},
+          "topics to subscribe to: disparity (and its images) or depth");
+    visit("virtual_baseline", self.virtual_baseline, core::Range{0.01, 1}, "m",
+          "depth camera: baseline of the pair it is treated as (Kinect: 0.075)");
+  }
+};
+
+}  // namespace cabinet_articulation

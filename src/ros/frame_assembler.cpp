@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/ros/frame_assembler.h"
+
+#include <stdexcept>
+
+#include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/stereo/block_matcher.h"
+
+namespace cabinet_articulation {
+namespace {
+
+template <class Item>
+void addBounded(const Item& item, size_t capacity, std::deque<Item>* items) {
+  items->push_back(item);
+  if (items->size() > capacity) items->pop_front();
+}
+
+sensor_msgs::CameraInfoConstPtr infoAt(const RecentMessages<sensor_msgs::CameraInfo>& infos, const ros::Time& stamp) {
+  const sensor_msgs::CameraInfoConstPtr own = infos.find(stamp);
+  return own ? own : infos.newest();
+}
+
+}  // namespace
+
+FrameTopics FrameTopics::below(const std::string& camera, const std::string& input) {
+  if (input == "depth") return {camera + "depth/image", camera + "depth/camera_info", "", "", ""};
+  return {camera + "disparity", camera + "left/camera_info", camera + "right/camera_info", camera + "left/image_rect",
+          camera + "right/image_rect"};
+}
+
+FrameAssembler::FrameAssembler(const FrameInputConfig& config, const SyncConfig& sync, const FrameTopics& topics,
+                               Callback complete)
+    : config_(config), topics_(topics), complete_(std::move(complete)), pair_matcher_(sync.tolerance()) {}
+
+void FrameAssembler::addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity) {
+  FrameMessages frame;
+  frame.disparity = disparity;
+  add(std::move(frame));
+}
+
+void FrameAssembler::addDepth(const sensor_msgs::ImageConstPtr& depth) {
+  FrameMessages frame;
+  frame.depth = depth;
+  add(std::move(frame));
+}
+
+void FrameAssembler::add(FrameMessages frame) {
+  flush();  // the images of the one before never came
+  waiting_ = std::move(frame);
+  if (!imagesMayStillCome()) flush();
+}
+
+void FrameAssembler::addImage(Side side, const sensor_msgs::ImageConstPtr& image) {
+  (side == Side::kLeft ? left_comes_ : right_comes_) = true;
+  if (const auto pair = pair_matcher_.add(side, image)) addBounded(*pair, kDepth, &pairs_);
+  if (waiting_ && !imagesMayStillCome()) flush();
+}
+
+bool FrameAssembler::imagesMayStillCome() const {
+  return waiting_->disparity && left_comes_ && right_comes_ && !imagesOf(waiting_->header().stamp);
+}
+
+std::optional<FrameAssembler::ImagePairs::Pair> FrameAssembler::imagesOf(const ros::Time& stamp) const {
+  for (auto pair = pairs_.rbegin(); pair != pairs_.rend(); ++pair)
+    if (pair->left->header.stamp == stamp) return *pair;
+  return {};
+}
+
+void FrameAssembler::flush() {
+  if (!waiting_) return;
+  FrameMessages frame = std::move(*waiting_);
+  waiting_.reset();
+  const ros::Time stamp = frame.header().stamp;
+  frame.info = infoAt(infos_, stamp);
+  frame.right_info = infoAt(right_infos_, stamp);
+  if (!frame.info) return;
+  if (const auto images = imagesOf(stamp); frame.disparity && images) {
+    frame.left = images->left;
+    frame.right = images->right;
+  }
+  addBounded(frame, kDepth, &frames_);
+  if (complete_) complete_(frame);
+}
+
+void FrameAssembler::clear() {
+  waiting_.reset();
+  infos_.clear();
+  right_infos_.clear();
+  pair_matcher_.clear();
+  pairs_.clear();
+  frames_.clear();
+  left_comes_ = right_comes_ = false;
+}
+
+std::optional<FrameMessages> FrameAssembler::find(const ros::Time& stamp) const {
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (frame->header().stamp == stamp) return *frame;
+  return {};
+}
+
+FrameViews FrameAssembler::view(const FrameMessages& messages) const {
+  FrameViews views;
+  if (messages.depth) {
+    views.depth = toImage(messages.depth, topics_.frame);
+    views.frame = depthFrame(messages, views.depth->image);
+    return views;
+  }
+  const core::StereoCamera camera =
+      toDisparityCamera(*messages.disparity, topics_.frame, *messages.info, topics_.info, messages.right_info.get());
+  views.frame.camera = camera;
+  views.frame.disparity = toDisparities(*messages.disparity, topics_.frame, camera);
+  if (!messages.left) return views;
+  views.left = toMono(messages.left, topics_.left);
+  views.right = toMono(messages.right, topics_.right);
+  requireSize(views.left->image, camera, topics_.left);
+  requireSize(views.right->image, camera, topics_.right);
+  views.frame.left = views.left->image;
+  views.frame.right = views.right->image;
+  return views;
+}
+
+core::DepthFrame FrameAssembler::depthFrame(const FrameMessages& messages, const cv::Mat& depth) const {
+  const core::StereoCamera camera = toDepthCamera(*messages.info, topics_.info, config_.virtual_baseline);
+  try {
+    return core::frameFromDepth(depth, camera);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(topics_.frame + ": " + error.what());
+  }
+}
+
+}  // namespace cabinet_articulation

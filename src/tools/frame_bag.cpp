@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_bag.h"
+
+#include <rosbag/view.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include "cabinet_articulation/ros/image_conversions.h"
+
+namespace cabinet_articulation {
+namespace {
+
+std::string stampText(const ros::Time& stamp) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%u.%09u", stamp.sec, stamp.nsec);
+  return text;
+}
+
+void openBag(const std::string& path, rosbag::Bag* bag) {
+  if (!std::filesystem::exists(path)) throw std::runtime_error(path + ": no such file");
+  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path + ": not a file");
+  try {
+    bag->open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::runtime_error(path + ": the bag was not closed or is cut off and has no index; 'rosbag reindex " + path +
+                             "' saves what is readable");
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": not a complete bag file (" + error.what() + "); 'rosbag reindex " + path +
+                             "' may save what is readable");
+  }
+}
+
+template <class Message>
+boost::shared_ptr<const Message> read(const rosbag::MessageInstance& instance, const std::string& path) {
+  const boost::shared_ptr<const Message> message = instance.instantiate<Message>();
+  if (!message) throw std::runtime_error(path + ": unreadable message on " + instance.getTopic());
+  return message;
+}
+
+/// The newest that is not newer than `stamp`, else the first.
+sensor_msgs::CameraInfoConstPtr infoAt(const std::map<ros::Time, sensor_msgs::CameraInfoConstPtr>& infos,
+                                       const ros::Time& stamp) {
+  const auto next = infos.upper_bound(stamp);
+  return next == infos.begin() ? next->second : std::prev(next)->second;
+}
+
+template <class Message>
+std::string sizeText(const Message& message) {
+  return std::to_string(message.width) + "x" + std::to_string(message.height);
+}
+
+/// What is wrong, in words; empty if the four are of one size.
+std::string sizeTrouble(const sensor_msgs::Image& left, const sensor_msgs::Image& right,
+                        const sensor_msgs::CameraInfo& left_info, const sensor_msgs::CameraInfo& right_info) {
+  const std::string size = sizeText(left);
+  if (sizeText(right) == size && sizeText(left_info) == size && sizeText(right_info) == size) return "";
+  return "at " + std::to_string(left.header.stamp.toSec()) + " images " + size + " and " + sizeText(right) + ", CameraInfos " +
+         sizeText(left_info) + " and " + sizeText(right_info);
+}
+
+}  // namespace
+
+FrameBag::FrameBag(const std::string& path, const std::string& input, const std::string& camera) : path_(path) {
+  openBag(path, &bag_);
+  input_ = chooseInput(bag_, input, camera);
+}
+
+void FrameBag::forEachFrame(const Callback& callback, SkippedFrames* skipped) {
+  input_.kind == "stereo" ? forEachPair(callback, skipped) : forEachDepth(callback, skipped);
+}
+
+FrameBag::Infos FrameBag::readInfos(const std::string& topic) const {
+  Infos infos;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag_, rosbag::TopicQuery(topic)))
+    if (const auto info = instance.instantiate<sensor_msgs::CameraInfo>()) infos[info->header.stamp] = info;
+  return infos;
+}
+
+void FrameBag::forEachPair(const Callback& callback, SkippedFrames* skipped) {
+  const FrameTopics& topics = input_.topics;
+  const Infos left_infos = readInfos(topics.info), right_infos = readInfos(topics.right_info);
+  if (left_infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.info);
+  if (right_infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.right_info);
+  PairMatcher<sensor_msgs::Image> matcher(SyncConfig().tolerance(), [skipped](Side side, const auto& image) {
+    const char* const own = side == Side::kLeft ? "left" : "right";
+    const char* const other = side == Side::kLeft ? "right" : "left";
+    skipped->add(std::string(own) + " image without a " + other + " image of the same stamp", stampText(image->header.stamp));
+  });
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag_, rosbag::TopicQuery({topics.left, topics.right}))) {
+    const Side side = instance.getTopic() == topics.left ? Side::kLeft : Side::kRight;
+    const auto pair = matcher.add(side, read<sensor_msgs::Image>(instance, path_));
+    if (!pair) continue;
+    const std_msgs::Header& header = pair->left->header;
+    const auto left = infoAt(left_infos, header.stamp), right = infoAt(right_infos, header.stamp);
+    const std::string trouble = sizeTrouble(*pair->left, *pair->right, *left, *right);
+    if (trouble.empty())
+      callback(header, viewPair(*pair, *left, *right));
+    else
+      skipped->add("left and right image and their CameraInfos differ in size", trouble);
+  }
+  matcher.giveUpAll();
+}
+
+FrameViews FrameBag::viewPair(const ImagePair& pair, const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right) {
+  const FrameTopics& topics = input_.topics;
+  FrameViews views;
+  views.frame.camera = toStereoCamera(left, right, topics.info, topics.right_info);
+  views.left = toMono(pair.left, topics.left);
+  views.right = toMono(pair.right, topics.right);
+  views.frame.left = input_.rectified ? views.left->image : rectifiers_[0](views.left->image, left);
+  views.frame.right = input_.rectified ? views.right->image : rectifiers_[1](views.right->image, right);
+  return views;
+}
+
+void FrameBag::forEachDepth(const Callback& callback, SkippedFrames* skipped) {
+  const FrameTopics& topics = input_.topics;
+  const Infos infos = readInfos(topics.info), right_infos = readInfos(topics.right_info);
+  if (infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.info);
+  FrameInputConfig config;
+  config.input = input_.kind;
+  FrameAssembler assembler(config, SyncConfig(), topics, [&](const FrameMessages& messages) {
+    FrameViews views;
+    try {
+      views = assembler.view(messages);
+    } catch (const std::invalid_argument& error) {
+      return skipped->add("messages that cannot be used", error.what());
+    }
+    callback(messages.header(), views);
+  });
+  const auto comes = [this](const std::string& topic) { return rosbag::View(bag_, rosbag::TopicQuery(topic)).size() > 0; };
+  if (comes(topics.left) && comes(topics.right)) assembler.expectImages();
+  // The CameraInfos were read ahead, so that no frame comes before the first of them.
+  play(&assembler, [&](const ros::Time& stamp) {
+    assembler.addInfo(infoAt(infos, stamp));
+    if (!right_infos.empty()) assembler.addRightInfo(infoAt(right_infos, stamp));
+  });
+  assembler.flush();
+}
+
+void FrameBag::play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame) const {
+  const FrameTopics& topics = input_.topics;
+  const rosbag::TopicQuery inputs({topics.frame, topics.left, topics.right});
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag_, inputs)) {
+    if (instance.getTopic() == topics.left) {
+      assembler->addLeft(read<sensor_msgs::Image>(instance, path_));
+    } else if (instance.getTopic() == topics.right) {
+      assembler->addRight(read<sensor_msgs::Image>(instance, path_));
+    } else if (input_.kind == "depth") {
+      const auto depth = read<sensor_msgs::Image>(instance, path_);
+      before_frame(depth->header.stamp);
+      assembler->addDepth(depth);
+    } else {
+      const auto disparity = read<stereo_msgs::DisparityImage>(instance, path_);
+      before_frame(disparity->header.stamp);
+      assembler->addDisparity(disparity);
+    }
+  }
+}
+
+}  // namespace cabinet_articulation
