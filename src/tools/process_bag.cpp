@@ -119,12 +119,12 @@ class Run {
     output_->write(header, rectangles, result.track_updates, result.models);
   }
 
-  /// A clock that jumps back starts anew (a bag that was recorded in a loop).
+  /// True for a frame that may be processed: newer than the last one, or after a clock that jumped back (a bag in a loop).
   bool isNewer(const ros::Time& stamp) {
     const std::optional<ros::Time> newest = clock_jump_.newest();
     if (!clock_jump_(stamp)) return !newest || stamp > *newest;
-    std::fprintf(stderr, "process_bag: time jumped back from %f to %f, all tracks start anew\n", newest->toSec(), stamp.toSec());
-    pipeline_.reset();
+    std::fprintf(stderr, "process_bag: time jumped back from %f to %f, joints stay known, all else is forgotten\n", newest->toSec(), stamp.toSec());
+    pipeline_.startAfresh();
     return true;
   }
 
