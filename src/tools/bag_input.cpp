@@ -24,6 +24,14 @@ Topics topicsOf(const rosbag::Bag& bag) {
   return topics;
 }
 
+/// All of them for no camera.
+Topics below(const std::string& camera, const Topics& topics) {
+  Topics result;
+  for (const auto& entry : topics)
+    if (camera.empty() || entry.first.rfind(camera + "/", 0) == 0) result.insert(entry);
+  return result;
+}
+
 bool has(const Topics& topics, const std::string& topic, const char* type) {
   const auto found = topics.find(topic);
   return found != topics.end() && found->second == type;
@@ -100,11 +108,9 @@ BagInput chooseInput(const rosbag::Bag& bag, const std::string& kind, const std:
   const BagInput input = inputBelow((camera.empty() ? kDefaultCamera : camera) + "/", kind, topics);
   std::string missing = missingTopics(input, topics);
   if (missing.empty()) return input;
-  if (camera.empty()) {
-    const std::vector<BagInput> others = inputsByType(bag, kind, topics);
-    if (others.size() == 1) return others[0];
-    if (others.size() > 1) missing += "\nand " + std::to_string(others.size()) + " others fit, choose one by its --camera";
-  }
+  const std::vector<BagInput> others = inputsByType(bag, kind, below(camera, topics));
+  if (others.size() == 1) return others[0];
+  if (others.size() > 1) missing += "\nand " + std::to_string(others.size()) + " others fit, choose one by its --camera";
   throw std::runtime_error(bag.getFileName() + ": missing topics:" + missing + "\nin the bag are:" + listOf(topics));
 }
 

@@ -16,8 +16,8 @@ struct BagInput {
   bool rectified = false;  ///< stereo: the images are rectified already
 };
 
-/// The topics of `kind` below the namespace `camera`, /stereo if that is empty. Where these are not complete and no camera was
-/// asked for, the only other ones in the bag of which types and names fit.
+/// The topics of `kind` below the namespace `camera`, /stereo if that is empty. Where these are not complete, the only other ones
+/// below `camera`, or in the whole bag if that is empty, of which types and names fit.
 /// Throws std::invalid_argument for an unknown kind, and std::runtime_error that says which topics are missing and which there
 /// are.
 BagInput chooseInput(const rosbag::Bag& bag, const std::string& kind, const std::string& camera);

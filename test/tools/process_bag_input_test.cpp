@@ -121,7 +121,9 @@ TEST_F(ProcessBagInput, DepthIsFoundByTypeWhereOnlyOneFits) {
 
 TEST_F(ProcessBagInput, SaysWhatIsMissing) {
   writeDepth("depth.bag", "/camera/depth/image_raw");
-  expectFailure("depth.bag out.bag --input depth --camera camera", "missing topics:\n  /camera/depth/image (sensor_msgs/Image)");
+  expectFrames("depth.bag out.bag --input depth --camera camera");
+  expectFailure("depth.bag out.bag --input depth --camera front",
+                "missing topics:\n  /front/depth/camera_info (sensor_msgs/CameraInfo)\n  /front/depth/image (sensor_msgs/Image)");
   expectFailure("depth.bag out.bag --input disparity",
                 "missing topics:\n  /stereo/left/camera_info (sensor_msgs/CameraInfo)\n"
                 "  /stereo/disparity (stereo_msgs/DisparityImage)\nin the bag are:");
