@@ -47,7 +47,7 @@ const Prepared& prepare(int percent) {
   prepared.frame = source->frame(percent * (source->size() - 1) / 100);
   prepared.depth = BlockMatcher({}).process(prepared.frame.left, prepared.frame.right, prepared.camera);
   prepared.regions = PlaneSegmenter({}).process(prepared.depth);
-  prepared.rectangles = RectangleDetector({}).process(prepared.depth, prepared.regions);
+  prepared.rectangles = RectangleDetector({}, {}).process(prepared.depth, prepared.regions);
   return prepared;
 }
 
@@ -93,7 +93,7 @@ void planesUnrefined(benchmark::State& state) {
 
 void rectangles(benchmark::State& state) {
   const Prepared& input = prepare(state);
-  RectangleDetector detector({});
+  RectangleDetector detector({}, {});
   measure(state, [&] { return detector.process(input.depth, input.regions); });
   state.counters["rectangles"] = static_cast<double>(input.rectangles.size());
 }
@@ -102,7 +102,7 @@ void rectangles(benchmark::State& state) {
 void detector(benchmark::State& state) {
   const Prepared& input = prepare(state);
   PlaneSegmenter segmenter({});
-  RectangleDetector detector({});
+  RectangleDetector detector({}, {});
   std::vector<Rectangle> tracks;
   for (const DetectedRectangle& detection : input.rectangles) tracks.push_back(detection.rectangle);
   measure(state, [&] { return detector.process(input.depth, segmenter.process(input.depth), tracks); });
@@ -115,7 +115,7 @@ void oneRectangle(benchmark::State& state, bool refined) {
   const std::vector<PlaneRegion> region{input.regions[input.rectangles[0].region]};
   RectanglesConfig config;
   config.refine_edges = refined;
-  RectangleDetector detector(config);
+  RectangleDetector detector(config, {});
   measure(state, [&] { return detector.process(input.depth, region); });
 }
 

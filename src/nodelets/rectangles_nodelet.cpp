@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
@@ -33,9 +34,14 @@ class RectanglesStage : public StageNodelet {
     FrameInputConfig input;
     SyncConfig sync;
     loadSettings(config, input, sync);
-    detector_ = std::make_unique<core::RectangleDetector>(config);
-    offerTuning<core::RectanglesConfig>(
-        config, [this](const auto& tuned) { detector_ = std::make_unique<core::RectangleDetector>(tuned); });
+    core::PlanesConfig planes;  // of the stage beside this one, which itself warns of settings that it does not know
+    loadParameters(ros::NodeHandle(getNodeHandle(), "planes"), planes);
+    const auto apply = [this, planes](const core::RectanglesConfig& tuned) {
+      detector_ = std::make_unique<core::RectangleDetector>(tuned, planes);
+      use_tracks_ = tuned.use_tracks;
+    };
+    apply(config);
+    offerTuning<core::RectanglesConfig>(config, apply);
     frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync);
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
@@ -85,7 +91,7 @@ class RectanglesStage : public StageNodelet {
   /// The expected fronts as the camera sees them at the time of this frame; none while the tracker or tf does not know.
   std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, StageWait* wait) {
     // A tracker that does not work offers nothing.
-    const bool somebody_tracks = expected_topic_.publishers() > 0;
+    const bool somebody_tracks = use_tracks_ && expected_topic_.publishers() > 0;
     if (!somebody_tracks) expected_.clear();
     if (!somebody_tracks || worked_on_.isZero()) return {};
     const double period = std::min(std::abs(secondsBetween(worked_on_, camera.stamp)), kLongestWait);
@@ -114,6 +120,7 @@ class RectanglesStage : public StageNodelet {
   static constexpr double kLongestWait = 1;  ///< [s] for cameras that are slower
 
   std::unique_ptr<core::RectangleDetector> detector_;
+  std::atomic<bool> use_tracks_{true};  ///< of the settings, which may change while a frame waits
   TransformSource transforms_;
   ExpectedInbox expected_;
   ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published

@@ -40,7 +40,7 @@ PipelineConfig PipelineConfig::load(const std::string& directory, std::vector<st
 Pipeline::Pipeline(const PipelineConfig& config)
     : stereo_(config.stereo),
       planes_(config.planes),
-      rectangles_(config.rectangles),
+      rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
       articulation_(config.articulation) {}
 

@@ -48,7 +48,7 @@ std::optional<PlaneRectangle> carriedOver(const ImageQuad& quad, const PlaneChar
 
 }  // namespace
 
-PlaneRefit::PlaneRefit() : refinement_(PlanesConfig{}) {}
+PlaneRefit::PlaneRefit(const PlanesConfig& config) : refinement_(config) {}
 
 void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates) {
   if (frame.left.empty() || frame.right.empty()) return;

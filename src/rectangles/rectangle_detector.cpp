@@ -92,21 +92,23 @@ PlaneRectangle keepSize(const PlaneRectangle& sized, const RefinedRectangle& ref
 }  // namespace
 
 struct RectangleDetector::Buffers {
-  explicit Buffers(const RectanglesConfig& config) : objective(config) {}
+  Buffers(const RectanglesConfig& config, const PlanesConfig& planes) : objective(config), plane_refit(planes) {}
   RectangleObjective objective;
   PlaneRefit plane_refit;
 };
 
-RectangleDetector::RectangleDetector(const RectanglesConfig& config) : config_(config) {
+RectangleDetector::RectangleDetector(const RectanglesConfig& config, const PlanesConfig& planes) : config_(config) {
   checkConfig(config_);
-  buffers_ = std::make_unique<Buffers>(config_);
+  checkConfig(planes);
+  buffers_ = std::make_unique<Buffers>(config_, planes);
 }
 
 RectangleDetector::~RectangleDetector() = default;
 
 std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& frame, const std::vector<PlaneRegion>& regions,
-                                                          const std::vector<Rectangle>& expected) {
+                                                          const std::vector<Rectangle>& tracks) {
   requireSizes(frame, regions);
+  const std::vector<Rectangle> expected = config_.use_tracks ? tracks : std::vector<Rectangle>();
   std::vector<RectangleCandidate> candidates = search(frame.camera, regions, expected);
   if (config_.refine_planes) buffers_->plane_refit.process(frame, &candidates);
   std::vector<SupportedRectangle> accepted;

@@ -127,7 +127,8 @@ void run(const Options& options) {
   const cv::Mat1f depth = readDepth(options);
   const core::DepthFrame frame = core::frameFromDepth(depth, cameraOf(options, depth.size()));
   const std::vector<core::PlaneRegion> regions = core::PlaneSegmenter(config.planes).process(frame);
-  const std::vector<core::DetectedRectangle> rectangles = core::RectangleDetector(config.rectangles).process(frame, regions);
+  const std::vector<core::DetectedRectangle> rectangles =
+      core::RectangleDetector(config.rectangles, config.planes).process(frame, regions);
   print(regions, rectangles);
   cv::Mat3b picture = drawRegions(frame, regions);
   drawOverlay(frame.camera, rectangles, {}, &picture);

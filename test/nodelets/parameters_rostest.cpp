@@ -12,7 +12,7 @@ namespace {
 
 using test::spinUntil;
 
-/// Loads stereo nodelets with settings from parameters.test.
+/// Loads nodelets with settings from parameters.test.
 class Parameters : public testing::Test {
  protected:
   void SetUp() override {
@@ -21,10 +21,10 @@ class Parameters : public testing::Test {
     ASSERT_TRUE(spinUntil([&] { return reports_.hears(2); }));
   }
 
-  void load(const std::string& name) {
+  void load(const std::string& name, const std::string& stage = "stereo") {
     nodelet::NodeletLoad call;
     call.request.name = "/" + name;
-    call.request.type = "cabinet_articulation/stereo";
+    call.request.type = "cabinet_articulation/" + stage;
     ASSERT_TRUE(ros::service::call("/manager/load_nodelet", call));
     ASSERT_TRUE(call.response.success);
   }
@@ -50,6 +50,13 @@ TEST_F(Parameters, WhatTheStageItselfRefusesIsToldWithTheNodeletsName) {
   load("even_window");
   EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("even_window", "not running: /even_window: "); }));
   EXPECT_TRUE(reports_.statusHas("even_window", "correlation_window_size")) << reports_.status("even_window");
+}
+
+TEST_F(Parameters, RectanglesRefinesPlanesBySettingsOfThePlanesStageBesideIt) {
+  load("beside/rectangles", "rectangles");
+  EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("beside/rectangles", "not running: "); }));
+  EXPECT_TRUE(reports_.statusHas("beside/rectangles", "/beside/planes: setting 'refine_pixels' is 5 px, allowed is 100 to"))
+      << reports_.status("beside/rectangles");
 }
 
 TEST_F(Parameters, MisspeltNameIsAWarningWithTheRightOne) {

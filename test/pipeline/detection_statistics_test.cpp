@@ -65,7 +65,7 @@ void collect(const std::string& scene, int seed, int step, Errors* errors) {
   SimulatedStereoCamera simulation(config);
   BlockMatcher stereo{StereoConfig{}};
   PlaneSegmenter planes{PlanesConfig{}};
-  RectangleDetector detector{RectanglesConfig{}};
+  RectangleDetector detector{RectanglesConfig{}, PlanesConfig{}};
   for (int i = 0; i < simulation.frameCount(); i += step)
     for (const FrontTruth& front : simulation.truth(i).joints) {
       if (std::abs(front.q) * (front.type == JointType::kRotational ? front.rectangle.width : 1) < kLeastOpening) continue;

@@ -35,17 +35,36 @@ TEST_F(PlaneRefitTest, PutsAWrongPlaneRightAndKeepsTheOutline) {
   frame_.disparity = cv::Mat1f(frame_.left.size(), std::numeric_limits<float>::quiet_NaN());
   std::vector<RectangleCandidate> candidates{wrongCandidate()};
   ASSERT_GT(tilt(candidates[0].chart.toSpace(candidates[0].rectangle), front_), 0.14);
-  PlaneRefit().process(frame_, &candidates);
+  PlaneRefit({}).process(frame_, &candidates);
   const Rectangle result = candidates[0].chart.toSpace(candidates[0].rectangle);
   EXPECT_LT(tilt(result, front_), 0.02);  // 1 degree; four samples a pixel make a coarse picture
   EXPECT_LT((candidates[0].region.plane.normal - front_.normal()).norm(), 0.02);
   EXPECT_LT(cornerError(front_, result), 0.012);  // the start's outline was that of the turned rectangle
 }
 
+TEST_F(PlaneRefitTest, GoesAsFarAsThePlanesSettingsAllow) {
+  frame_.left = renderView({{front_, 1}, {wall_, 2}}, frame_.camera, false);
+  frame_.right = renderView({{front_, 1}, {wall_, 2}}, frame_.camera, true);
+  frame_.disparity = cv::Mat1f(frame_.left.size(), std::numeric_limits<float>::quiet_NaN());
+  const auto tiltWith = [&](const PlanesConfig& planes) {
+    std::vector<RectangleCandidate> candidates{wrongCandidate()};
+    PlaneRefit(planes).process(frame_, &candidates);
+    return tilt(candidates[0].chart.toSpace(candidates[0].rectangle), front_);
+  };
+  const double refined = tiltWith({});
+  PlanesConfig one_step, short_way, few_pixels;
+  one_step.refine_iterations = 1;
+  short_way.refine_max_shift = 0.01;
+  few_pixels.refine_pixels = 100;
+  EXPECT_GT(tiltWith(one_step), 2 * refined);
+  EXPECT_NEAR(tiltWith(short_way), 0.15, 1e-6) << "the plane stays where it was";
+  EXPECT_NE(tiltWith(few_pixels), refined);
+}
+
 TEST_F(PlaneRefitTest, ChangesNothingWithoutImages) {
   std::vector<RectangleCandidate> candidates{wrongCandidate()};
   const Rectangle before = candidates[0].chart.toSpace(candidates[0].rectangle);
-  PlaneRefit().process(frame_, &candidates);
+  PlaneRefit({}).process(frame_, &candidates);
   EXPECT_EQ(candidates[0].chart.toSpace(candidates[0].rectangle).pose.matrix(), before.pose.matrix());
 }
 

@@ -21,10 +21,11 @@ class RectangleDetectorTest : public testing::Test {
   }
 
   std::vector<DetectedRectangle> detect(const PlaneRegion& region) {
-    return RectangleDetector(config_).process(frame_, {region});
+    return RectangleDetector(config_, planes_).process(frame_, {region});
   }
 
   RectanglesConfig config_;
+  PlanesConfig planes_;
   DepthFrame frame_;
 };
 
@@ -85,7 +86,7 @@ TEST_F(RectangleDetectorTest, TwoFrontsInOnePlaneAreFoundFromTheirOwnRegions) {
     for (const Rectangle& other : fronts) region.mask.setTo(kInPlane, footprint(other, frame_.camera));
     regions.push_back(region);
   }
-  const auto found = RectangleDetector(config_).process(frame_, regions);
+  const auto found = RectangleDetector(config_, planes_).process(frame_, regions);
   ASSERT_EQ(found.size(), 2U);
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(found[i].region, i);  // the larger one is better supported, so first
@@ -96,7 +97,7 @@ TEST_F(RectangleDetectorTest, TwoFrontsInOnePlaneAreFoundFromTheirOwnRegions) {
 TEST_F(RectangleDetectorTest, OneSurfaceSegmentedTwiceIsReportedOnce) {
   const Rectangle front = exampleFront({0, 0, 1.3}, 0.3, 0.3, 0.3, 0, 0);
   const Rectangle tilted = exampleFront({0, 0, 1.305}, 0.3, 0.28, 0.33, 0, 0);
-  const auto found = RectangleDetector(config_).process(
+  const auto found = RectangleDetector(config_, planes_).process(
       frame_, {finishRegion(frontRegion(tilted, frame_.camera)), finishRegion(frontRegion(front, frame_.camera))});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].region, 1);
@@ -134,10 +135,10 @@ TEST_F(RectangleDetectorTest, ATracksSizeIsUsedWhereAnArmHidesTheFront) {
   region = finishRegion(region);
   Rectangle expected = front;
   expected.pose.translation() += Eigen::Vector3d(0.03, -0.02, 0.01);
-  const auto alone = RectangleDetector(config_).process(frame_, {region});
+  const auto alone = RectangleDetector(config_, planes_).process(frame_, {region});
   ASSERT_EQ(alone.size(), 1U);
   EXPECT_GT(cornerError(front, alone[0].rectangle), 0.1);
-  const auto guided = RectangleDetector(config_).process(frame_, {region}, {expected});
+  const auto guided = RectangleDetector(config_, planes_).process(frame_, {region}, {expected});
   ASSERT_EQ(guided.size(), 1U);
   EXPECT_LT(cornerError(front, guided[0].rectangle), 0.01);
 }
@@ -157,16 +158,52 @@ TEST_F(RectangleDetectorTest, ATracksSizeIsUsedWhereADoorGoesBehindItsNeighbour)
       if (detection.region == 0) return alignDescription(detection.rectangle, scene.door, true).width;
     return 0.0;
   };
-  RectangleDetector detector(config_);
+  RectangleDetector detector(config_, planes_);
   EXPECT_NEAR(widthOf(detector.process(frame_, regions)), scene.door.width - scene.hidden, 0.004);
   EXPECT_NEAR(widthOf(detector.process(frame_, regions, {scene.door})), scene.door.width, 0.001);
+}
+
+TEST_F(RectangleDetectorTest, TracksAreNotAskedWhereTheyAreNotWanted) {
+  const Rectangle front = exampleFront({0, 0, 1.3}, 0.4, 0.5, 0.5, 0, 0);
+  PlaneRegion region = frontRegion(front, frame_.camera);
+  region.mask.rowRange(270, 480).setTo(kOccluded);
+  region = finishRegion(region);
+  const auto alone = RectangleDetector(config_, planes_).process(frame_, {region});
+  config_.use_tracks = false;
+  const auto unguided = RectangleDetector(config_, planes_).process(frame_, {region}, {front});
+  ASSERT_EQ(alone.size(), 1U);
+  ASSERT_EQ(unguided.size(), 1U);
+  EXPECT_EQ(unguided[0].rectangle.pose.matrix(), alone[0].rectangle.pose.matrix());
+  EXPECT_EQ(unguided[0].rectangle.height, alone[0].rectangle.height);
+  EXPECT_EQ(unguided[0].covariance, alone[0].covariance);
+}
+
+TEST_F(RectangleDetectorTest, PlanesOfSmallFrontsAreRefinedBySettingsOfThePlanesStage) {
+  const Rectangle front = exampleFront({0, 0, 1.4}, 0.3, 0.15, 0.3, 0.2, 0.1);
+  const Rectangle wall = exampleFront({0, 0, 1.8}, 3, 3, 0, 0, 0);
+  frame_.left = renderView({{front, 1}, {wall, 2}}, frame_.camera, false);
+  frame_.right = renderView({{front, 1}, {wall, 2}}, frame_.camera, true);
+  Rectangle tilted = front;
+  tilted.pose.linear() *= Eigen::AngleAxisd(0.15, Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
+  PlaneRegion region = frontRegion(front, frame_.camera);
+  region.plane = tilted.plane();
+  region.disparity_plane = *toDisparityPlane(region.plane, frame_.camera);
+  config_.refine_edges = false;
+  const auto tilt = [&] {
+    const auto found = RectangleDetector(config_, planes_).process(frame_, {finishRegion(region)});
+    return found.size() == 1 ? std::acos(std::min(1.0, found[0].rectangle.normal().dot(front.normal()))) : std::nan("");
+  };
+  EXPECT_LT(tilt(), 0.02);
+  planes_.refine_max_shift = 0.01;  // of [px]: none that would help
+  EXPECT_GT(tilt(), 0.14);
 }
 
 TEST_F(RectangleDetectorTest, AnObservedSizeBeatsARememberedOne) {
   const Rectangle front = exampleFront({0, 0, 1.3}, 0.4, 0.3, 0.3, 0, 0);
   Rectangle expected = front;
   expected.width = 0.32;
-  const auto found = RectangleDetector(config_).process(frame_, {finishRegion(frontRegion(front, frame_.camera))}, {expected});
+  const std::vector<PlaneRegion> regions{finishRegion(frontRegion(front, frame_.camera))};
+  const auto found = RectangleDetector(config_, planes_).process(frame_, regions, {expected});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_LT(cornerError(front, found[0].rectangle), kCornerTolerance);
 }
@@ -187,7 +224,7 @@ TEST_F(RectangleDetectorTest, KeepsAtMostTheGivenNumber) {
   for (const double x : {-0.35, 0.0, 0.35})
     regions.push_back(finishRegion(frontRegion(exampleFront({x, 0, 1.3}, 0.25, 0.25 + x / 10, 0, 0, 0), frame_.camera)));
   config_.max_rectangles = 2;
-  const auto found = RectangleDetector(config_).process(frame_, regions);
+  const auto found = RectangleDetector(config_, planes_).process(frame_, regions);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].region, 2);
   EXPECT_EQ(found[1].region, 1);
@@ -203,7 +240,7 @@ TEST_F(RectangleDetectorTest, ATimeBudgetGoesToTracksAndLargeRegionsFirst) {
   const auto found = [&](double milliseconds, const std::vector<Rectangle>& expected) {
     config_.time_budget = milliseconds;
     std::vector<int> result;
-    for (const DetectedRectangle& rectangle : RectangleDetector(config_).process(frame_, regions, expected))
+    for (const DetectedRectangle& rectangle : RectangleDetector(config_, planes_).process(frame_, regions, expected))
       result.push_back(rectangle.region);
     return result;
   };
@@ -219,7 +256,7 @@ TEST_F(RectangleDetectorTest, RandomStartsAreReproducibleAndFindTheFrontWithTheP
   config_.min_precision = 0.7;
   const Rectangle front = exampleFront({0, 0, 1.3}, 0.4, 0.3, 0.3, 0, 0.2);
   const std::vector<PlaneRegion> regions{finishRegion(frontRegion(front, frame_.camera))};
-  RectangleDetector detector(config_);
+  RectangleDetector detector(config_, planes_);
   const auto first = detector.process(frame_, regions);
   ASSERT_EQ(first.size(), 1U);
   EXPECT_GT(intersectionOverUnion(front, first[0].rectangle), 0.8);  // Eq. (3) itself likes to grow a little over free space
@@ -230,7 +267,7 @@ TEST_F(RectangleDetectorTest, RandomStartsAreReproducibleAndFindTheFrontWithTheP
 }
 
 TEST_F(RectangleDetectorTest, NothingComesOfNothing) {
-  RectangleDetector detector(config_);
+  RectangleDetector detector(config_, planes_);
   EXPECT_TRUE(detector.process(frame_, {}).empty());
   PlaneRegion empty = frontRegion(exampleFront({0, 0, 1.3}, 0.4, 0.3, 0, 0, 0), frame_.camera);
   empty.mask.setTo(kUnknown);
@@ -240,14 +277,17 @@ TEST_F(RectangleDetectorTest, NothingComesOfNothing) {
 }
 
 TEST_F(RectangleDetectorTest, RefusesSizesThatDoNotMatch) {
-  RectangleDetector detector(config_);
+  RectangleDetector detector(config_, planes_);
   PlaneRegion region = finishRegion(frontRegion(exampleFront({0, 0, 1.3}, 0.4, 0.3, 0, 0, 0), frame_.camera));
   region.mask = region.mask.rowRange(0, 100);
   EXPECT_THROW(detector.process(frame_, {region}), std::invalid_argument);
   frame_.left = cv::Mat1b(10, 10);
   EXPECT_THROW(detector.process(frame_, {}), std::invalid_argument);
   config_.min_precision = 1.5;
-  EXPECT_THROW(RectangleDetector{config_}, ConfigError);
+  EXPECT_THROW((RectangleDetector{config_, planes_}), ConfigError);
+  config_ = {};
+  planes_.refine_iterations = 0;
+  EXPECT_THROW((RectangleDetector{config_, planes_}), ConfigError);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace cabinet_articulation::core {
 /// which pixels belong to the plane: beyond 2.2 m the normal's error falls from some 10 degrees to 2-6.
 class PlaneRefit {
  public:
-  PlaneRefit();
+  /// Of the settings, `refine_iterations`, `refine_pixels` and `refine_max_shift` matter: they are those of the planes stage.
+  explicit PlaneRefit(const PlanesConfig& config);
 
   /// Without images nothing changes. The rectangles keep their corners in the image.
   void process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates);

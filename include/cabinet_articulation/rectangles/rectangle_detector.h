@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cabinet_articulation/planes/plane_region.h"
+#include "cabinet_articulation/planes/planes_config.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/rectangles/edge_refinement.h"
 #include "cabinet_articulation/rectangles/rectangles_config.h"
@@ -19,15 +20,16 @@ struct SupportedRectangle;
 /// Paper III-B.2: at most one rectangle in each plane region.
 class RectangleDetector {
  public:
+  /// `planes`: the settings of the planes stage, by which planes of small rectangles are refined once more.
   /// Throws ConfigError for a value out of range.
-  explicit RectangleDetector(const RectanglesConfig& config);
+  RectangleDetector(const RectanglesConfig& config, const PlanesConfig& planes);
   ~RectangleDetector();
 
-  /// `expected`: where live tracks are now (left optical frame); each proposes its own size at its place.
+  /// `tracks`: where they are now (left optical frame); each proposes its own size at its place, unless `use_tracks` is false.
   /// Without images in the frame the photometric edge refinement is skipped. The same input gives the same output, best
   /// supported rectangle first. Throws std::invalid_argument if images or masks differ in size from the camera.
   std::vector<DetectedRectangle> process(const DepthFrame& frame, const std::vector<PlaneRegion>& regions,
-                                         const std::vector<Rectangle>& expected = {});
+                                         const std::vector<Rectangle>& tracks = {});
 
  private:
   struct Buffers;
