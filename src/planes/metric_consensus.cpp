@@ -13,7 +13,7 @@ namespace {
 
 using Point = pcl::PointXYZ;
 
-constexpr float kLeastArea = 1e-8F;  ///< [m^2] twice the area of the smallest useful sample
+constexpr float kLeastArea = 1e-5F;  ///< [m^2] twice the area of the smallest sample, as in PCL 1.13
 
 /// PCL's plane with a seed of ours, and without its messages about collinear samples.
 class SeededPlane : public pcl::SampleConsensusModelPlane<Point> {
