@@ -99,8 +99,9 @@ std::string toString(const std::string& key, const ConfigValue& value) {
   wrongType(key, value, "a text");
 }
 
-std::string formatYaml(const std::string& title, const std::vector<FieldText>& fields) {
-  std::string text = "# " + title + "\n# Every setting with its default. Generated from the code: print_config prints it again.\n";
+std::string formatYaml(const std::string& title, const std::string& values, const std::vector<FieldText>& fields) {
+  std::string text = "# " + title + "\n# Every setting with " + values;
+  text += ". Generated from the code: print_config prints it again.\n";
   for (const FieldText& field : fields) {
     text += "\n# " + field.meaning + "\n# ";
     if (!field.unit.empty()) text += "[" + field.unit + "] ";

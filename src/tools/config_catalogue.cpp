@@ -7,23 +7,30 @@
 namespace cabinet_articulation::core {
 namespace {
 
-template <class Config>
-ConfigFile entry(const std::string& stage, const std::string& title) {
-  const Config defaults;
-  return {stage, toYaml(defaults, title), describeConfig(defaults)};
+/// The files of one folder below config/.
+void add(const std::string& folder, const PipelineConfig& pipeline, const std::string& values, std::vector<ConfigFile>* files) {
+  const auto file = [&](const std::string& stage, const auto& config, const std::string& title, const std::string& origin) {
+    files->push_back({folder + stage, toYaml(config, title, origin), describeConfig(config)});
+  };
+  file("stereo", pipeline.stereo, "Block matching: rectified pair to disparity.", values);
+  file("planes", pipeline.planes, "Planes, connected regions and their masks.", values);
+  file("rectangles", pipeline.rectangles, "Rectangular fronts in the plane regions.", values);
+  file("tracking", pipeline.tracking, "Rectangles over time.", values);
+  file("articulation", pipeline.articulation, "How each front moves.", values);
+  file("simulation", SimulationConfig(), "The simulated active stereo camera.", "its default");
+}
+
+std::vector<ConfigFile> allFiles() {
+  std::vector<ConfigFile> files;
+  add("", {}, "its default", &files);
+  add("paper/", PipelineConfig::paper(), "its value in the paper's recipe, see PipelineConfig::paper()", &files);
+  return files;
 }
 
 }  // namespace
 
 const std::vector<ConfigFile>& configCatalogue() {
-  static const std::vector<ConfigFile> catalogue{
-      entry<StereoConfig>("stereo", "Block matching: rectified pair to disparity."),
-      entry<PlanesConfig>("planes", "Planes, connected regions and their masks."),
-      entry<RectanglesConfig>("rectangles", "Rectangular fronts in the plane regions."),
-      entry<TrackingConfig>("tracking", "Rectangles over time."),
-      entry<ArticulationConfig>("articulation", "How each front moves."),
-      entry<SimulationConfig>("simulation", "The simulated active stereo camera."),
-  };
+  static const std::vector<ConfigFile> catalogue = allFiles();
   return catalogue;
 }
 

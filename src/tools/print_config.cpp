@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// print_config STAGE: every setting of a stage with its default, unit, range and meaning, as YAML.
+// print_config STAGE: every setting of a stage with its default, unit, range and meaning, as YAML; print_config paper/STAGE:
+// with its value in the paper's recipe.
 // print_config --table NODELET: every parameter of a nodelet, as a Markdown table.
 #include <iostream>
 #include <string>

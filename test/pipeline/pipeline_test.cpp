@@ -154,10 +154,7 @@ TEST(Pipeline, TheNumberOfThreadsChangesNoBit) {
 /// The paper's own recipe finds large fronts that stand well off their surroundings.
 TEST(Pipeline, ThePapersVariantDetectsADoor) {
   SimulatedStereoCamera simulation(doorAt(3));
-  PipelineConfig config;
-  config.planes.method = "paper";
-  config.rectangles = RectanglesConfig::paper();
-  Pipeline pipeline(config);
+  Pipeline pipeline(PipelineConfig::paper());
   int open = 0, found = 0;
   for (int i = 0; i < simulation.frameCount(); ++i) {
     const FrontTruth door = simulation.truth(i).joints[0];

@@ -118,7 +118,7 @@ struct Describer {
   }
 };
 
-std::string formatYaml(const std::string& title, const std::vector<FieldText>& fields);
+std::string formatYaml(const std::string& title, const std::string& values, const std::vector<FieldText>& fields);
 
 }  // namespace detail
 
@@ -135,10 +135,10 @@ std::vector<detail::FieldText> describeConfig(const Config& config) {
   return out;
 }
 
-/// A complete YAML file with every field, its unit, range and meaning.
+/// A complete YAML file with every field, its unit, range and meaning. `values` says where its values come from.
 template <class Config>
-std::string toYaml(const Config& config, const std::string& title) {
-  return detail::formatYaml(title, describeConfig(config));
+std::string toYaml(const Config& config, const std::string& title, const std::string& values = "its default") {
+  return detail::formatYaml(title, values, describeConfig(config));
 }
 
 /// Sets the fields that `values` names and checks the result. Returns a warning for each key that no configuration

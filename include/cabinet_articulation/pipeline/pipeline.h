@@ -27,6 +27,9 @@ struct PipelineConfig {
   /// Reads <directory>/{stereo,planes,rectangles,tracking,articulation}.yaml; a missing file keeps that stage's defaults.
   /// Throws ConfigError, also when there is no such directory; warnings about unknown keys are appended.
   static PipelineConfig load(const std::string& directory, std::vector<std::string>* warnings);
+
+  /// The recipe of the paper, as far as our settings can express it: the baseline of comparisons, also in config/paper.
+  static PipelineConfig paper();
 };
 
 /// Milliseconds of wall time each stage took for one frame.

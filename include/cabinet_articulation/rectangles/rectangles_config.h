@@ -43,20 +43,6 @@ struct RectanglesConfig {
   int max_rectangles = 20;
   double time_budget = 0;
 
-  /// The paper's variant, as in the original release: the baseline of comparisons.
-  static RectanglesConfig paper() {
-    RectanglesConfig config;
-    config.objective = "paper";
-    config.random_starts = 10;
-    config.refine_planes = false;
-    config.refine_edges = false;
-    config.min_precision = 0.7;
-    config.min_visible = 0;
-    config.min_observed_edges = 0;
-    config.min_observed_across = 0;
-    return config;
-  }
-
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit("objective", self.objective, Choices{"label_weights", "paper"},
