@@ -93,7 +93,7 @@ Track readTrack(const std::string& file) {
   std::vector<int> all(log->reference().size());
   std::iota(all.begin(), all.end(), 0);
   Track track;
-  log->observe(all, [&track](const Track& seen) { track = seen; });
+  log->observe(all, [&track](const SeenFront& seen) { track = seen.track; });
   return track;
 }
 

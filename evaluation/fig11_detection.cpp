@@ -114,7 +114,6 @@ constexpr int kJointColumns = 10;
 void writeLearned(const Job& job, CsvWriter* csv) {
   for (std::size_t k = 0; k < job.learned.size(); ++k) {
     const std::string& variant = job.variants[k].name;
-    if (!job.variants[k].tracks_guide) continue;  // frame by frame, nothing is learned
     const LearnedRun& run = job.learned[k];
     if (job.joints.empty()) csv->row(job.name, variant, run.movers(), std::vector<double>(kJointColumns, std::nan("")));
     for (const TrueJoint& joint : job.joints) {

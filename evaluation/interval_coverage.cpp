@@ -119,9 +119,7 @@ std::optional<IntervalCheck> compareHalves(const TrackSource& source) {
     std::vector<int> picked;
     for (int i = 0; i < size; ++i)
       if (i * kBlocks / size % 2 == half) picked.push_back(i);
-    Track track;
-    source.observe(picked, [&](const Track& longer) { track = longer; });
-    for (const LearnedModel& model : ArticulationLearner(learnerConfig(source.facts())).process({track})) halves.push_back(model);
+    if (const auto model = observeAll(source, picked).model) halves.push_back(*model);
   }
   if (halves.size() < 2 || source.facts().type == JointType::kRigid) return std::nullopt;
   if (!isRight(halves[0], source.facts()) || !isRight(halves[1], source.facts())) return std::nullopt;

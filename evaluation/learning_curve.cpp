@@ -23,6 +23,13 @@ std::vector<int> randomSelection(int size, int count, cv::RNG* random) {
   return all;
 }
 
+/// By the pipeline that saw the front, or else by `learner`; nothing as long as nobody learned anything.
+std::optional<LearnedModel> learnedOf(const SeenFront& front, ArticulationLearner* learner) {
+  if (front.model) return *front.model;
+  const std::vector<LearnedModel> models = learner->process({front.track});
+  return models.empty() ? std::nullopt : std::optional<LearnedModel>(models[0]);
+}
+
 }  // namespace
 
 ArticulationConfig learnerConfig(const SourceFacts& facts) {
@@ -46,6 +53,17 @@ std::vector<ReferencePose> thinnedReference(const TrackSource& source, std::size
   return thinned;
 }
 
+LearnedFront observeAll(const TrackSource& source, const std::vector<int>& picked) {
+  LearnedFront result;
+  source.observe(picked, [&](const SeenFront& front) {
+    result.track = front.track;
+    result.model = front.model ? std::optional<LearnedModel>(*front.model) : std::nullopt;
+  });
+  ArticulationLearner learner(learnerConfig(source.facts()));
+  if (!result.model) result.model = learnedOf({result.track}, &learner);
+  return result;
+}
+
 std::vector<CurvePoint> learningCurve(const TrackSource& source, int runs, int frames, const std::vector<int>& counts) {
   const std::vector<ReferencePose> reference = thinnedReference(source, kReferences);
   const int size = static_cast<int>(source.reference().size());
@@ -54,12 +72,11 @@ std::vector<CurvePoint> learningCurve(const TrackSource& source, int runs, int f
   for (int run = 0; run < runs; ++run) {
     cv::RNG random(run + 1);
     ArticulationLearner learner(learnerConfig(source.facts()));
-    source.observe(randomSelection(size, picked, &random), [&](const Track& track) {
-      const int count = static_cast<int>(track.observations.size());
+    source.observe(randomSelection(size, picked, &random), [&](const SeenFront& front) {
+      const int count = static_cast<int>(front.track.observations.size());
       if (std::find(counts.begin(), counts.end(), count) == counts.end()) return;
-      const std::vector<LearnedModel> models = learner.process({track});
-      if (!models.empty())
-        points.push_back({run, count, models[0], predictionError(models[0], reference, source.facts().has_orientation)});
+      if (const auto model = learnedOf(front, &learner))
+        points.push_back({run, count, *model, predictionError(*model, reference, source.facts().has_orientation)});
     });
   }
   return points;
@@ -79,14 +96,11 @@ UnseenOpening predictUnseen(const TrackSource& source, double share) {
   UnseenOpening result;
   result.share = share;
   const ArticulationConfig config = learnerConfig(source.facts());
-  std::optional<Track> track;
-  source.observe(seen, [&](const Track& longer) { track = longer; });
-  if (!track) return result;
-  const std::vector<LearnedModel> selected = ArticulationLearner(config).process({*track});
-  if (selected.empty()) return result;
-  result.selected = selected[0];
-  result.selected_error = predictionError(selected[0], far_end, source.facts().has_orientation);
-  for (const LearnedModel& model : fitAllModels(*track, config))
+  const LearnedFront front = observeAll(source, seen);
+  if (!front.model) return result;
+  result.selected = front.model;
+  result.selected_error = predictionError(*front.model, far_end, source.facts().has_orientation);
+  for (const LearnedModel& model : fitAllModels(front.track, config))
     if (model.type == source.facts().type)
       result.true_type_error = predictionError(model, far_end, source.facts().has_orientation);
   return result;

@@ -23,6 +23,15 @@ bool isRight(const LearnedModel& model, const SourceFacts& truth);
 /// At most this many of the source's reference poses, evenly spaced.
 std::vector<ReferencePose> thinnedReference(const TrackSource& source, std::size_t count);
 
+/// A front after all of the picked frames. The model is the pipeline's, as a robot would have it; of a log of poses, that of one
+/// fit to all of them.
+struct LearnedFront {
+  Track track;
+  std::optional<LearnedModel> model;  ///< nothing if the front was not seen
+};
+
+LearnedFront observeAll(const TrackSource& source, const std::vector<int>& picked);
+
 /// What had been learned in one run after a number of observations.
 struct CurvePoint {
   int run = 0, observations = 0;

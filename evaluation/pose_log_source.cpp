@@ -26,12 +26,12 @@ class PoseLogSource : public TrackSource {
   const SourceFacts& facts() const override { return facts_; }
   const std::vector<ReferencePose>& reference() const override { return reference_; }
 
-  void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const override {
+  void observe(const std::vector<int>& picked, const std::function<void(const SeenFront&)>& visit) const override {
     Track track = log_.track;
     track.observations.clear();
     for (const int i : picked) {
       track.observations.push_back(log_.track.observations[i]);
-      visit(track);
+      visit({track});
     }
   }
 

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""Writes what the tables say as one page: summarize.py FOLDER, the folder that run.sh wrote, gets a summary.md."""
+"""Writes what the tables say as one page: summarize.py FOLDER [PAGE]. The folder that run.sh wrote gets a summary.md; the
+tables also replace what stands between the two marks of PAGE."""
 import csv
 import statistics
 import sys
 from collections import defaultdict
 from pathlib import Path
 
+MARKS = ('<!-- Tables: evaluation/run.sh --page writes them. -->\n', '<!-- End of the tables. -->\n')
 # The paper's and the original release's figures for the paper's own two logs.
 PUBLISHED = {'stereo/door.txt': ('30, 10 mm, 3.5°', '10, 10-12 mm, 1.9-3.7°'),
              'stereo/drawer.txt': ('30, 10 mm, 7°', '-, 8-10 mm, 4.6-7.7°')}
@@ -121,13 +123,24 @@ def intervals(folder):
     return table('Coverage of the 95 % intervals', ['source', 'quantity', 'checks', 'inside'], rows)
 
 
+def replace_tables(page, tables):
+    text = page.read_text(encoding='utf-8')
+    if [text.count(mark) for mark in MARKS] != [1, 1] or text.index(MARKS[0]) > text.index(MARKS[1]):
+        sys.exit('%s: expected one line "%s" and after it one line "%s"' % ((page,) + tuple(mark.strip() for mark in MARKS)))
+    before, rest = text.split(MARKS[0])
+    page.write_text(before + MARKS[0] + '\n' + tables + '\n' + MARKS[1] + rest.split(MARKS[1])[1], encoding='utf-8')
+    print(page)
+
+
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     parts = [part(folder) for part in (depth_error, hanging_front, fronts, learned, curves, unseen, intervals)]
     (folder / 'summary.md').write_text('\n'.join(parts), encoding='utf-8')
     print(folder / 'summary.md')
+    if len(sys.argv) == 3:
+        replace_tables(Path(sys.argv[2]), '\n'.join(parts))
 
 
 main()

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cabinet_articulation/articulation/learned_model.h"
 #include "cabinet_articulation/tracking/track.h"
 #include "frame_source.h"
 
@@ -25,6 +26,12 @@ struct SourceFacts {
   bool has_orientation = true;  ///< false: its poses are mere positions
 };
 
+/// What has been seen of the front so far. Valid only while it is shown.
+struct SeenFront {
+  const Track& track;
+  const LearnedModel* model = nullptr;  ///< what the pipeline that saw the frames learned; null: poses that nobody learned from
+};
+
 /// One moving front that can be observed again and again, each time through another selection of its frames.
 class TrackSource {
  public:
@@ -33,12 +40,11 @@ class TrackSource {
   virtual const SourceFacts& facts() const = 0;
   virtual const std::vector<ReferencePose>& reference() const = 0;  ///< one for every frame
 
-  /// Shows the frames `picked` (ascending indices into reference()) and calls `visit` with the front's track each time it
-  /// got longer.
-  virtual void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const = 0;
+  /// Shows the frames `picked` (ascending indices into reference()) and calls `visit` each time the front's track got longer.
+  virtual void observe(const std::vector<int>& picked, const std::function<void(const SeenFront&)>& visit) const = 0;
 };
 
-/// A run with images: detector and tracker see the picked frames. The front is the one that opens farthest; the reference is
+/// A run with images: the pipeline sees the picked frames. The front is the one that opens farthest; the reference is
 /// its true pose in the source's world. Holds all frames.
 std::unique_ptr<TrackSource> trackFrames(FrameSource& frames);
 

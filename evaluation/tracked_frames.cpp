@@ -45,11 +45,15 @@ class TrackedFrames : public TrackSource {
   const SourceFacts& facts() const override { return facts_; }
   const std::vector<ReferencePose>& reference() const override { return reference_; }
 
-  void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const override {
+  void observe(const std::vector<int>& picked, const std::function<void(const SeenFront&)>& visit) const override {
     Pipeline pipeline(ourVariant().config);
     for (const int i : picked) {
       const PipelineResult seen = pipeline.process(frames_[i].stamp, depth_[i], frames_[i].T_world_camera);
-      if (const Track* track = frontTrack(*seen.tracks, i)) visit(*track);
+      const Track* track = frontTrack(*seen.tracks, i);
+      if (!track) continue;
+      const auto own = [&](const LearnedModel& model) { return model.id == track->id; };
+      const auto model = std::find_if(seen.models.begin(), seen.models.end(), own);
+      visit({*track, model == seen.models.end() ? nullptr : &*model});
     }
   }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "cabinet_articulation/ros/input_settings.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
@@ -18,33 +20,21 @@ cv::Mat1w depthImage(const DepthFrame& frame) {
 
 }  // namespace
 
-Variant ourVariant() { return {"ours", {}, true, false}; }
+Variant ourVariant() { return {"ours", {}, false}; }
 
-Variant depthVariant() { return {"ours_depth", {}, true, true}; }
+Variant depthVariant() { return {"ours_depth", {}, true}; }
 
-Variant paperVariant() {
-  Variant variant{"paper", {}, false, false};
-  variant.config.planes.method = "paper";
-  RectanglesConfig& rectangles = variant.config.rectangles;
-  rectangles.objective = "paper";
-  rectangles.random_starts = 10;  // the original release's launch files
-  rectangles.first_step = 0.05;
-  rectangles.refine_edges = false;
-  rectangles.min_precision = 0.7;
-  rectangles.min_recall = 0.7;
-  rectangles.min_visible = 0;
-  rectangles.min_side = 0.05;
-  rectangles.max_side = 1.5;
-  return variant;
-}
+Variant paperVariant() { return {"paper", PipelineConfig::paper(), false}; }
 
 Observer::Observer(const Variant& variant) : variant_(variant), matcher_(variant.config.stereo), pipeline_(variant.config) {}
 
 PipelineResult Observer::see(const Frame& frame, const StereoCamera& camera) {
-  if (!variant_.tracks_guide) forget();
   if (!variant_.from_depth) return pipeline_.process(frame.stamp, frame.left, frame.right, camera, frame.T_world_camera);
   const cv::Mat1w depth = depthImage(matcher_.process(frame.left, frame.right, camera));
-  return pipeline_.process(frame.stamp, frameFromDepth(depth, camera), frame.T_world_camera);
+  StereoCamera depth_camera = camera;
+  depth_camera.baseline = FrameInputConfig().virtual_baseline;
+  depth_camera.cx_difference = 0;
+  return pipeline_.process(frame.stamp, frameFromDepth(depth, depth_camera), frame.T_world_camera);
 }
 
 }  // namespace cabinet_articulation::core::evaluation

@@ -12,21 +12,20 @@ namespace cabinet_articulation::core::evaluation {
 struct Variant {
   std::string name;
   PipelineConfig config;
-  bool tracks_guide = true;  ///< live tracks propose their fronts to the detector
-  bool from_depth = false;   ///< gets a depth image in place of the stereo pair
+  bool from_depth = false;  ///< gets a depth image in place of the stereo pair
 };
 
 /// The defaults.
 Variant ourVariant();
 
-/// The defaults behind a camera that delivers depth: block matching's, holes included, in whole millimetres.
+/// The defaults behind a camera that delivers depth: block matching's, holes included, in whole millimetres. It is treated as
+/// the nodelets treat one.
 Variant depthVariant();
 
-/// The paper's III-B: infinite planes within d = 2 cm, Eq. (3), several random starts in each plane, precision and recall of
-/// the whole plane above 0.7, corners inside the image, no refinement on the images, no feedback.
+/// The paper's recipe in all five stages: PipelineConfig::paper(), which is also in config/paper.
 Variant paperVariant();
 
-/// A pipeline that is shown frames as its variant says.
+/// A pipeline that is shown frames as its variant says: Pipeline::process() and nothing else, as in process_bag.
 class Observer {
  public:
   explicit Observer(const Variant& variant);
@@ -34,7 +33,7 @@ class Observer {
   const std::string& name() const { return variant_.name; }
   PipelineResult see(const Frame& frame, const StereoCamera& camera);
 
-  /// The next frame has nothing to do with the ones before.
+  /// The next frame has nothing to do with the ones before: a front that hangs somewhere else each time cannot be tracked.
   void forget() { pipeline_.reset(); }
 
  private:

@@ -25,7 +25,7 @@ class Drawer : public TrackSource {
   const SourceFacts& facts() const override { return facts_; }
   const std::vector<ReferencePose>& reference() const override { return reference_; }
 
-  void observe(const std::vector<int>& picked, const std::function<void(const Track&)>& visit) const override {
+  void observe(const std::vector<int>& picked, const std::function<void(const SeenFront&)>& visit) const override {
     Track track;
     track.width = 0.4;
     track.height = 0.15;
@@ -34,7 +34,7 @@ class Drawer : public TrackSource {
       observation.stamp = i / 15.0;
       observation.rectangle = observation.measured = reference_[i].rectangle;
       track.observations.push_back(observation);
-      visit(track);
+      visit({track});
     }
   }
 

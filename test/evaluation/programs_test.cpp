@@ -41,6 +41,11 @@ std::vector<Row> readTable(const fs::path& path) {
   return rows;
 }
 
+std::string readText(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// All programs run once and write to one folder.
 class ProgramsTest : public testing::Test {
  protected:
@@ -59,6 +64,11 @@ class ProgramsTest : public testing::Test {
   static void TearDownTestSuite() { fs::remove_all(folder()); }
 
   static fs::path folder() { return fs::temp_directory_path() / ("evaluation_programs_test_" + std::to_string(getpid())); }
+
+  static int summarize(const fs::path& page) {
+    const std::string script = "/usr/bin/python3 " SCRIPTS "/summarize.py ";
+    return std::system((script + folder().string() + " " + page.string() + " >/dev/null 2>&1").c_str());
+  }
 
   static int run(const std::string& program, const std::string& arguments) {
     return std::system((std::string(PROGRAMS) + "/" + program + " " + arguments + " " + folder().string()).c_str());
@@ -112,10 +122,25 @@ TEST_F(ProgramsTest, Figures) {
 }
 
 TEST_F(ProgramsTest, Summary) {
-  std::ifstream file(folder() / "summary.md");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = readText(folder() / "summary.md");
   EXPECT_NE(text.find("| drawer.txt | prismatic | "), std::string::npos) << text;
   EXPECT_NE(text.find("| simulated_hanging_drawer | drawer | ours | 8 | "), std::string::npos) << text;
+}
+
+TEST_F(ProgramsTest, TheTablesGoIntoThePageAndNothingElseChanges) {
+  const fs::path page = folder() / "evaluation.md";
+  fs::copy_file(SCRIPTS "/../doc/evaluation.md", page, fs::copy_options::overwrite_existing);
+  const std::string before = readText(page), begin = "<!-- Tables: ", end = "<!-- End of the tables. -->\n";
+  ASSERT_EQ(summarize(page), 0);
+  const std::string after = readText(page), summary = readText(folder() / "summary.md");
+  EXPECT_EQ(after.substr(0, after.find(begin)), before.substr(0, before.find(begin)));
+  EXPECT_EQ(after.substr(after.find(end)), before.substr(before.find(end)));
+  EXPECT_NE(after.find("-->\n\n" + summary + "\n" + end), std::string::npos) << after;
+  ASSERT_EQ(summarize(page), 0);
+  EXPECT_EQ(readText(page), after) << "twice is once";
+  std::ofstream(page) << "a page without marks\n";
+  EXPECT_NE(summarize(page), 0);
+  EXPECT_EQ(readText(page), "a page without marks\n");
 }
 
 TEST_F(ProgramsTest, RefuseWhatTheyDoNotKnow) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "simulated_sources.h"
@@ -26,11 +27,18 @@ TEST(TrackSource, FramesShowTheFrontThatMoves) {
   std::vector<int> all(frames->size());
   std::iota(all.begin(), all.end(), 0);
   Track track;
-  source->observe(all, [&](const Track& longer) { track = longer; });
+  std::optional<LearnedModel> model;
+  source->observe(all, [&](const SeenFront& front) {
+    track = front.track;
+    if (front.model) model = *front.model;
+  });
   ASSERT_GE(track.observations.size(), 10U);  // the drawer is open in some 20 of the frames
   const TrackedObservation& seen = track.observations[track.observations.size() / 2];
   const int index = static_cast<int>(std::lround(seen.stamp * config.rate));
   EXPECT_LT((seen.rectangle.center() - source->reference()[index].rectangle.center()).norm(), 0.015);
+  ASSERT_TRUE(model) << "the pipeline learns on the way";
+  EXPECT_EQ(model->id, track.id);
+  EXPECT_EQ(model->type, JointType::kPrismatic);
 }
 
 TEST(TrackSource, ALogIsItsOwnReference) {
@@ -41,7 +49,10 @@ TEST(TrackSource, ALogIsItsOwnReference) {
   EXPECT_FALSE(source->facts().has_orientation);
   EXPECT_NEAR(source->reference().at(2).opened, 0.3, 1e-12);
   std::vector<std::size_t> lengths;
-  source->observe({0, 2}, [&](const Track& track) { lengths.push_back(track.observations.size()); });
+  source->observe({0, 2}, [&](const SeenFront& front) {
+    lengths.push_back(front.track.observations.size());
+    EXPECT_EQ(front.model, nullptr) << "nobody learned from a log before";
+  });
   EXPECT_EQ(lengths, (std::vector<std::size_t>{1, 2}));
   EXPECT_FALSE(openPoseLog(path, "log", "other")->facts().explainable);
   EXPECT_THROW(openPoseLog(path, "log", "helical"), std::runtime_error);
