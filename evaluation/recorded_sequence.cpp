@@ -9,6 +9,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "cabinet_articulation/geometry/unit_quaternion.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
@@ -29,11 +31,12 @@ StereoCamera readCamera(const YAML::Node& calibration) {
                                        calibration["right"]["P"].as<std::array<double, 12>>());
 }
 
+/// As tf would send it. What was rounded to be written is no rotation to the last digit, and the pipeline relies on one.
 Eigen::Isometry3d readTransform(const YAML::Node& rows) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) T(r, c) = rows[r][c].as<double>();
-  return T;
+  return asSent(T);
 }
 
 JointType readType(const std::string& type) {

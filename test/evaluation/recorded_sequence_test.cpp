@@ -69,6 +69,15 @@ TEST_F(RecordedSequenceTest, ReadsImagesCalibrationAndTruth) {
   EXPECT_EQ(frame.fronts.at(1).opened, 0);
 }
 
+TEST_F(RecordedSequenceTest, ARotationThatWasRoundedIsARotationAllTheSame) {
+  const std::string rounded = R"({"frames": [{"stamp": 0, "panels": [], "T_world_left":
+    [[0.8776, -0.4794, 0, 0], [0.4794, 0.8776, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})";
+  write("truth.json", rounded);
+  const Eigen::Matrix3d R = openRecordedSequence(folder_.string())->frame(0).T_world_camera.linear();
+  EXPECT_TRUE((R * R.transpose()).isIdentity(1e-14));
+  EXPECT_NEAR(std::atan2(R(1, 0), R(0, 0)), 0.5, 1e-4);
+}
+
 TEST_F(RecordedSequenceTest, NamesTheFileThatIsWrong) {
   fs::remove(folder_ / "right_0000.png");
   EXPECT_NE(errorOfFirstFrame().find("right_0000.png"), std::string::npos);
