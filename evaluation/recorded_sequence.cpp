@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "cabinet_articulation/geometry/unit_quaternion.h"
+#include "cabinet_articulation/geometry/message_precision.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

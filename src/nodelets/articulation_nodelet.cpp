@@ -59,7 +59,10 @@ class ArticulationStage : public StageNodelet {
       {
         std::lock_guard<std::mutex> lock(waiting_mutex_);
         waiting_.push_back(tracks);
-        if (waiting_.size() > kMostWaiting) waiting_.pop_front();
+        if (waiting_.size() > kMostWaiting) {
+          waiting_.pop_front();
+          health().dropped();
+        }
       }
       workOnAll([this] { process(); });
     });
@@ -124,7 +127,7 @@ class ArticulationStage : public StageNodelet {
     store_->dropForgotten(&updates);
     const std::size_t gaps = store_->follow(std::move(updates));
     if (gaps > 0)
-      trouble("gap", tracks_topic_.topic() + ": messages were lost; " + std::to_string(gaps) +
+      trouble("gap", tracks_topic_.topic() + ": messages were lost or are not from the beginning; " + std::to_string(gaps) +
                          (gaps == 1 ? " track stays" : " tracks stay") + " as known until sent as a whole, within some seconds");
     return true;
   }

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
+#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
@@ -27,6 +28,8 @@ class RectanglesStage : public StageNodelet {
   struct Input {
     FrameMessages frame;
     PlaneArrayConstPtr planes;
+    double period;  ///< [s] since the frame before came
+    int session;
   };
 
   void start() override {
@@ -53,7 +56,12 @@ class RectanglesStage : public StageNodelet {
     frames_->subscribe([this](const FrameMessages& frame) {
       if (early_planes_ && early_planes_->header.stamp == frame.header().stamp) add(early_planes_);
     });
-    planes_topic_.subscribe<PlaneArray>(nh, "planes", [this](const auto& planes) { add(planes); });
+    planes_topic_.subscribe<PlaneArray>(nh, "planes", [this](const auto& planes) {
+      const ros::Time& stamp = planes->header.stamp;
+      period_ = arrived_.isZero() ? 0 : std::min(std::abs(secondsBetween(arrived_, stamp)), kLongestWait);
+      arrived_ = stamp;
+      add(planes);
+    });
     expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", [this](const auto& expected) { expected_.put(expected); });
   }
 
@@ -63,6 +71,8 @@ class RectanglesStage : public StageNodelet {
     if (frames_) frames_->unsubscribe();
     expected_.clear();
     early_planes_.reset();
+    arrived_ = ros::Time();
+    ++session_;
   }
 
   void interrupt() override { expected_.interrupt(); }
@@ -71,13 +81,24 @@ class RectanglesStage : public StageNodelet {
     const std::optional<FrameMessages> frame = frames_->find(planes->header.stamp);
     if (early_planes_ && early_planes_ != planes) health().dropped();
     early_planes_ = frame ? nullptr : planes;
-    if (frame) workOnNewest([this, input = Input{*frame, planes}] { process(input); });
+    if (frame) workOnNewest([this, input = Input{*frame, planes, period_, session_}] { process(input); });
   }
 
   void process(const Input& input) {
     const std_msgs::Header& header = input.planes->header;
+    const std::optional<ros::Time> newest = clock_jump_.newest();
+    const bool set_back = clock_jump_(header.stamp);
+    if (newest && !set_back && header.stamp <= *newest) {
+      std::ostringstream text;
+      text << planes_topic_.topic() << ": the stamp " << header.stamp << " is not newer than that of the frame before, " << *newest
+           << "; the frame is skipped";
+      return trouble("order", text.str());
+    }
+    // Nobody answers for a frame of an earlier session, or of a time that is not over yet.
+    if (set_back || input.session != worked_on_session_) worked_on_ = ros::Time();
+    worked_on_session_ = input.session;
     StageWait wait;
-    const std::vector<core::Rectangle> expected = expectedIn(header, &wait);
+    const std::vector<core::Rectangle> expected = expectedIn(header, input.period, &wait);
     const auto work = [&] {
       const FrameViews views = frames_->view(input.frame);
       const auto rectangles = detector_->process(views.frame, fromMessage(*input.planes), expected);
@@ -88,13 +109,13 @@ class RectanglesStage : public StageNodelet {
     runStage(header, work, wait);
   }
 
-  /// The expected fronts as the camera sees them at the time of this frame; none while the tracker or tf does not know.
-  std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, StageWait* wait) {
+  /// The expected fronts as the camera sees them at the time of this frame; none while the tracker or tf does not know. Waits
+  /// for them `period` [s] at most.
+  std::vector<core::Rectangle> expectedIn(const std_msgs::Header& camera, double period, StageWait* wait) {
     // A tracker that does not work offers nothing.
     const bool somebody_tracks = use_tracks_ && expected_topic_.publishers() > 0;
     if (!somebody_tracks) expected_.clear();
     if (!somebody_tracks || worked_on_.isZero()) return {};
-    const double period = std::min(std::abs(secondsBetween(worked_on_, camera.stamp)), kLongestWait);
     const ExpectedInbox::Answer answer = expected_.after(worked_on_, period);
     *wait = {answer.waited, !answer.in_time};
     health().note("waited for tracks [ms]", 1e3 * answer.waited);
@@ -105,10 +126,15 @@ class RectanglesStage : public StageNodelet {
       trouble("tracks", text.str());
     }
     if (!answer.fronts) return {};
+    const std::string& fixed_frame = answer.fronts->header.frame_id;
+    if (answer.fronts->fronts.empty()) {
+      // By the time that there are some, tf must have been listened to.
+      if (fixed_frame != camera.frame_id) transforms_.listen();
+      return {};
+    }
     try {
-      // Also where there is none: tf is to be listened to by the time that there are some.
-      const Eigen::Isometry3d T_fixed_camera = transforms_.lookup(answer.fronts->header.frame_id, camera.frame_id, camera.stamp,
-                                                                  std::max(0.0, period - answer.waited));
+      const double left = std::max(0.0, period - answer.waited);
+      const Eigen::Isometry3d T_fixed_camera = transforms_.lookup(fixed_frame, camera.frame_id, camera.stamp, left);
       return core::expectedInCamera(fromMessage(*answer.fronts), camera.stamp.toSec(), T_fixed_camera);
     } catch (const std::exception& error) {
       wait->in_vain = true;
@@ -123,8 +149,15 @@ class RectanglesStage : public StageNodelet {
   std::atomic<bool> use_tracks_{true};  ///< of the settings, which may change while a frame waits
   TransformSource transforms_;
   ExpectedInbox expected_;
-  ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published
+  // Of the callbacks.
   PlaneArrayConstPtr early_planes_;  ///< their frame is not complete yet
+  ros::Time arrived_;                ///< stamp of the newest planes
+  double period_ = 0;                ///< [s] between these and the ones before, worked on or not
+  int session_ = 0;                  ///< counts how often somebody began to listen
+  // Of the worker.
+  ClockJump clock_jump_;
+  ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published; zero: none in this session
+  int worked_on_session_ = 0;
   ros::Publisher rectangles_;
   std::unique_ptr<FrameInput> frames_;
   WatchedSubscriber planes_topic_, expected_topic_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/pipeline/as_sent.h"
 
-#include "cabinet_articulation/geometry/unit_quaternion.h"
+#include <utility>
+
+#include "cabinet_articulation/geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
 
@@ -11,16 +13,24 @@ std::vector<DetectedRectangle> asSent(std::vector<DetectedRectangle> rectangles)
 }
 
 ExpectedFronts asSent(ExpectedFronts expected) {
-  for (ExpectedFront& front : expected.fronts) front.rectangle.pose = asSent(front.rectangle.pose);
+  for (ExpectedFront& front : expected.fronts) {
+    front.stamp = asSent(front.stamp);
+    front.rectangle.pose = asSent(front.rectangle.pose);
+  }
   return expected;
 }
 
+Track asSent(Track track) {
+  for (TrackedObservation& observation : track.observations) {
+    observation.stamp = asSent(observation.stamp);
+    observation.rectangle.pose = asSent(observation.rectangle.pose);
+    observation.measured.pose = asSent(observation.measured.pose);
+  }
+  return track;
+}
+
 std::vector<TrackUpdate> asSent(std::vector<TrackUpdate> updates) {
-  for (TrackUpdate& update : updates)
-    for (TrackedObservation& observation : update.track.observations) {
-      observation.rectangle.pose = asSent(observation.rectangle.pose);
-      observation.measured.pose = asSent(observation.measured.pose);
-    }
+  for (TrackUpdate& update : updates) update.track = asSent(std::move(update.track));
   return updates;
 }
 

@@ -62,6 +62,7 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
     return rectangles_.process(frame, result.planes, expectedInCamera(asSent(tracking_.expected()), stamp, T_fixed_camera));
   });
   result.track_updates = timed(times.tracking, [&] {
+    if (std::exchange(joints_are_new_, false)) tellTrackerOfJoints();
     return updates_.of(tracking_.process(stamp, transformed(asSent(result.rectangles), T_fixed_camera)), stamp);
   });
   result.models = timed(times.articulation, [&] {
@@ -78,21 +79,31 @@ void Pipeline::reset() {
   tracking_.reset();
   updates_.startAnew();
   known_.replace({});
+  joints_.clear();
+  joints_are_new_ = false;
   articulation_.reset();
 }
 
 void Pipeline::startAfresh() {
+  tellTrackerOfJoints();
   const std::vector<KnownFront> joints = known_.joints();
-  reset();
-  known_.replace(joints);
-  std::vector<Track> tracks;
   std::vector<LearnedModel> models;
+  joints_.clear();
   for (const KnownFront& joint : joints) {
-    tracks.push_back(joint.track);
+    joints_.push_back(asSent(joint.track));
     models.push_back(joint.model);
   }
-  tracking_.remember(std::move(tracks));
+  joints_are_new_ = true;
+  known_.replace(joints);
+  articulation_.reset();
   articulation_.remember(models);
+}
+
+/// It knows nothing else then.
+void Pipeline::tellTrackerOfJoints() {
+  tracking_.reset();
+  tracking_.remember(joints_);
+  updates_.startAnew();
 }
 
 std::vector<Rectangle> expectedInCamera(const ExpectedFronts& fronts, double stamp, const Eigen::Isometry3d& T_fixed_camera) {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "cabinet_articulation/geometry/unit_quaternion.h"
+#include "cabinet_articulation/geometry/message_precision.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
@@ -114,6 +117,8 @@ core::TrackUpdate fromMessage(const Track& message) {
   const size_t count = message.poses.size();
   requireLength("stamps", message.stamps.size(), count, 1, false);
   requireLength("edge_support", message.edge_support.size(), count, 4, true);
+  for (const auto& [name, size] : {std::make_pair("width", message.width), std::make_pair("height", message.height)})
+    if (!std::isfinite(size)) throw std::invalid_argument(name + (" is " + std::to_string(size)) + ", expected a finite number");
   core::TrackUpdate update;
   update.first = message.first;
   update.track.id = message.id;
@@ -154,7 +159,20 @@ TrackArray toMessage(const std::vector<core::TrackUpdate>& updates, const std_ms
 }
 
 std::vector<core::TrackUpdate> fromMessage(const TrackArray& message) {
-  return fromMessages<core::TrackUpdate>(message.tracks, "tracks");
+  std::vector<core::TrackUpdate> updates = fromMessages<core::TrackUpdate>(message.tracks, "tracks");
+  std::set<std::uint32_t> ids;
+  for (size_t i = 0; i < updates.size(); ++i) {
+    const core::Track& track = updates[i].track;
+    std::string wrong;
+    if (track.id == 0)
+      wrong = "id is 0, expected 1 or more";
+    else if (!ids.insert(track.id).second)
+      wrong = "id " + std::to_string(track.id) + " is there twice";
+    else if (track.observations.empty())
+      wrong = "no poses, expected at least the newest one";
+    if (!wrong.empty()) throw std::invalid_argument("tracks[" + std::to_string(i) + "]: " + wrong);
+  }
+  return updates;
 }
 
 ExpectedFrontArray toMessage(const core::ExpectedFronts& expected, const std_msgs::Header& header) {

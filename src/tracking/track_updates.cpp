@@ -7,6 +7,15 @@
 #include <utility>
 
 namespace cabinet_articulation::core {
+namespace {
+
+bool isContinued(const Track& known, const TrackUpdate& update) {
+  const std::vector<TrackedObservation>& fresh = update.track.observations;
+  return known.revision == update.track.revision && update.first < known.observations.size() && !fresh.empty() &&
+         known.observations[update.first].stamp == fresh.front().stamp;
+}
+
+}  // namespace
 
 bool TrackUpdates::continues(const Sent& sent, const Track& track) {
   return sent.revision == track.revision && sent.count <= track.observations.size() &&
@@ -36,8 +45,8 @@ std::vector<TrackUpdate> TrackUpdates::of(const std::vector<Track>& tracks, doub
     const auto known = sent_.find(track.id);
     const bool whole = known == sent_.end() || track.id == due || !continues(known->second, track);
     TrackUpdate update;
-    // The newest one goes out again where nothing is new.
-    if (!whole) update.first = std::min(known->second.count, track.observations.size() - 1);
+    // With the last one that is known, by whose stamp receivers recognise that this continues what they have.
+    if (!whole) update.first = known->second.count - 1;
     update.track.id = track.id;
     update.track.width = track.width;
     update.track.height = track.height;
@@ -56,15 +65,15 @@ const std::vector<Track>& TrackAssembly::add(std::vector<TrackUpdate> updates) {
   tracks_.clear();
   waiting_ = 0;
   for (TrackUpdate& update : updates) {
-    const auto known = std::find_if(before.begin(), before.end(), [&](const Track& track) { return track.id == update.track.id; });
+    const auto known =
+        std::find_if(before.begin(), before.end(), [&](const Track& track) { return track.id == update.track.id; });
     const bool is_known = known != before.end() && !known->observations.empty();
     if (update.first == 0) {
       if (is_known) before.erase(known);
       tracks_.push_back(std::move(update.track));
       continue;
     }
-    const bool continues =
-        is_known && known->revision == update.track.revision && update.first <= known->observations.size();
+    const bool continues = is_known && isContinued(*known, update);
     if (!continues) ++waiting_;
     if (!is_known) continue;
     Track track = std::move(*known);

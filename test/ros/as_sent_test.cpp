@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
-#include "cabinet_articulation/geometry/unit_quaternion.h"
+#include "cabinet_articulation/geometry/message_precision.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 
@@ -37,8 +38,9 @@ class AsSent : public testing::Test {
   }
 
   /// Times of today that came from a message.
-  double stamp() { return ros::Time(1795000000 + random_() % 1000, random_() % 1000000000).toSec(); }
+  double stampOfToday() { return ros::Time(1795000000 + random_() % 1000, random_() % 1000000000).toSec(); }
 
+  std::uniform_real_distribution<double> seconds_{0, 2e9};  ///< also such as no message ever had
   std_msgs::Header header_;
   std::mt19937 random_{1};
   std::uniform_real_distribution<double> number_{-1, 1};
@@ -48,6 +50,13 @@ void expectSame(const core::Rectangle& a, const core::Rectangle& b) {
   EXPECT_EQ(a.pose.matrix(), b.pose.matrix());
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.height, b.height);
+}
+
+TEST_F(AsSent, TimesAreWhatMessagesDeliver) {
+  std::uniform_real_distribution<double> exponent(-12, 9);
+  for (int i = 0; i < kSamples; ++i)
+    for (const double stamp : {seconds_(random_), std::pow(10, exponent(random_)), stampOfToday(), -seconds_(random_)})
+      EXPECT_EQ(core::asSent(stamp), toStamp(stamp).toSec()) << stamp;
 }
 
 TEST_F(AsSent, RectanglesAreWhatMessagesDeliver) {
@@ -79,7 +88,7 @@ TEST_F(AsSent, ExpectedFrontsAreWhatMessagesDeliver) {
   expected.horizon = 0.3;
   expected.fronts.resize(kSamples);
   for (core::ExpectedFront& front : expected.fronts) {
-    front.stamp = stamp();
+    front.stamp = seconds_(random_);
     front.rectangle = rectangle();
     front.velocity = rectangle().center();
     front.angular_velocity = rectangle().center();
@@ -98,14 +107,15 @@ TEST_F(AsSent, ExpectedFrontsAreWhatMessagesDeliver) {
 TEST_F(AsSent, TrackUpdatesAreWhatMessagesDeliver) {
   std::vector<core::TrackUpdate> updates(2);
   updates[1].first = 12;
+  std::uint32_t id = 0;
   for (core::TrackUpdate& update : updates) {
-    update.track.id = 7;
+    update.track.id = ++id;
     update.track.revision = 3;
     update.track.width = number_(random_);
     update.track.height = number_(random_);
     update.track.observations.resize(kSamples);
     for (core::TrackedObservation& observation : update.track.observations)
-      observation = {stamp(), rectangle(), covariance(), {0.1F, 0.7F, 1, 0}, rectangle(), covariance()};
+      observation = {seconds_(random_), rectangle(), covariance(), {0.1F, 0.7F, 1, 0}, rectangle(), covariance()};
   }
   const auto sent = core::asSent(updates), delivered = fromMessage(toMessage(updates, header_));
   ASSERT_EQ(delivered.size(), sent.size());

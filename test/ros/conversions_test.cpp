@@ -202,6 +202,23 @@ TEST(TrackConversion, RefusesListsOfDifferentLengthAndNamesThem) {
   EXPECT_EQ(test::errorOf([&] { fromMessage(message); }).find("tracks[0]: poses[1]: position is"), 0u);
 }
 
+TEST(TrackConversion, RefusesWhatNoTrackerSends) {
+  core::Track track = exampleTrack();
+  const auto errorOf = [&](const std::vector<core::Track>& tracks) {
+    return test::errorOf([&] { fromMessage(toMessage(tracks, exampleHeader())); });
+  };
+  EXPECT_EQ(errorOf({track}), "");
+  EXPECT_EQ(errorOf({track, track}), "tracks[1]: id 7 is there twice");
+  track.id = 0;
+  EXPECT_EQ(errorOf({track}), "tracks[0]: id is 0, expected 1 or more");
+  track = exampleTrack();
+  track.height = kNan;
+  EXPECT_EQ(errorOf({track}), "tracks[0]: height is nan, expected a finite number");
+  track = exampleTrack();
+  track.observations.clear();
+  EXPECT_EQ(errorOf({track}), "tracks[0]: no poses, expected at least the newest one");
+}
+
 TEST(TrackConversion, APartIsNoWholeTrack) {
   const Track message = toMessage(core::TrackUpdate{exampleTrack(), 12}, "map");
   EXPECT_EQ(message.first, 12u);

@@ -58,12 +58,13 @@ class TrackUpdatesTest : public testing::Test {
   TrackAssembly assembly_;
 };
 
-TEST_F(TrackUpdatesTest, HoldWhatIsNewAndAtLeastTheNewest) {
+TEST_F(TrackUpdatesTest, HoldWhatIsNewAfterTheLastThatIsKnown) {
   for (int i = 0; i < 30; ++i) {
-    const std::vector<TrackUpdate> updates = frame(i % 3 != 2);
+    const bool seen = i % 3 != 2;
+    const std::vector<TrackUpdate> updates = frame(seen);
     ASSERT_EQ(updates.size(), 1u);
-    EXPECT_EQ(updates[0].track.observations.size(), 1u) << i;
-    EXPECT_EQ(updates[0].first, tracks_[0].observations.size() - 1) << i;
+    EXPECT_EQ(updates[0].track.observations.size(), seen && i > 0 ? 2u : 1u) << i;
+    EXPECT_EQ(updates[0].first + updates[0].track.observations.size(), tracks_[0].observations.size()) << i;
     assembly_.add(updates);
     expectSame();
   }
@@ -114,6 +115,18 @@ TEST_F(TrackUpdatesTest, AMissedOneLeavesAGapForSomeSecondsAtMost) {
   expectSame();
 }
 
+TEST_F(TrackUpdatesTest, AMissedThinningIsAGap) {
+  for (int i = 0; i < 40; ++i) assembly_.add(frame(1));
+  ASSERT_TRUE(thinOut(tracks_[0].observations, 32));
+  frame(1);
+  assembly_.add(frame(1));
+  EXPECT_EQ(assembly_.waiting(), 1u);
+  EXPECT_EQ(assembly_.tracks().at(0).observations.size(), 40u) << "as it was, though there are as many as needed";
+  updates_.startAnew();
+  assembly_.add(frame(1));
+  expectSame();
+}
+
 TEST_F(TrackUpdatesTest, AnotherRevisionIsNoContinuation) {
   for (int i = 0; i < 20; ++i) assembly_.add(frame(1));
   ++tracks_[0].revision;
@@ -125,7 +138,8 @@ TEST_F(TrackUpdatesTest, AnotherRevisionIsNoContinuation) {
 
 TEST_F(TrackUpdatesTest, WholeOnesTakeTurns) {
   for (std::uint32_t id = 2; id <= 5; ++id) tracks_.push_back(trackOf(id));
-  frame(tracks_.size());
+  // Of two observations, the one that is known is the first.
+  for (int i = 0; i < 2; ++i) frame(tracks_.size());
   int whole = 0;
   for (int i = 0; i < 20 / kFrame; ++i) {
     int in_frame = 0;

@@ -11,11 +11,12 @@ namespace cabinet_articulation::core {
 
 /*
  * What goes from stage to stage, as it arrives in the nodelets' messages: the same to the bit, which a test of the messages
- * proves. See geometry/unit_quaternion.h.
+ * proves. See geometry/message_precision.h.
  */
 
 std::vector<DetectedRectangle> asSent(std::vector<DetectedRectangle> rectangles);
 ExpectedFronts asSent(ExpectedFronts expected);
+Track asSent(Track track);
 std::vector<TrackUpdate> asSent(std::vector<TrackUpdate> updates);
 
 }  // namespace cabinet_articulation::core

@@ -71,16 +71,20 @@ class Pipeline {
   void reset();
 
   /// Time was set back: joints stay known, and get their ids and histories back when they are seen again; all else is
-  /// forgotten. The nodelets do the same.
+  /// forgotten. As in the nodelets, the tracker hears which fronts are joints after the next frame.
   void startAfresh();
 
  private:
+  void tellTrackerOfJoints();
+
   BlockMatcher stereo_;
   PlaneSegmenter planes_;
   RectangleDetector rectangles_;
   RectangleTracker tracking_;
   TrackUpdates updates_;
   KnownFronts known_;
+  std::vector<Track> joints_;   ///< that the tracker was told of, or will be
+  bool joints_are_new_ = false;  ///< the tracker does not know them yet
   ArticulationLearner articulation_;
 };
 

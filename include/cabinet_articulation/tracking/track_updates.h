@@ -11,7 +11,7 @@ namespace cabinet_articulation::core {
 
 /// The end of a track, or all of it.
 struct TrackUpdate {
-  Track track;             ///< observations from `first` on, at least the newest
+  Track track;            ///< observations from `first` on: the last one that went out before, and what is new
   std::size_t first = 0;  ///< index in the whole track; 0: the whole track
 };
 
@@ -31,9 +31,9 @@ class TrackUpdates {
  private:
   struct Sent {
     std::uint32_t revision = 0;
-    std::size_t count = 0;    ///< observations
-    double newest = 0;        ///< [s] stamp of the last one
-    double last_whole = 0;    ///< [s]
+    std::size_t count = 0;  ///< observations
+    double newest = 0;      ///< [s] stamp of the last one
+    double last_whole = 0;  ///< [s]
   };
 
   static bool continues(const Sent& sent, const Track& track);
@@ -45,8 +45,9 @@ class TrackUpdates {
 /// Puts tracks together from updates.
 class TrackAssembly {
  public:
-  /// One frame's updates. Returns the tracks that they name, in their order; valid until the next call. A track whose update
-  /// does not continue what is here (one was missed) stays as it is until it comes as a whole.
+  /// One frame's updates. Returns the tracks that they name, in their order; valid until the next call. An update continues what
+  /// is here if the revision is the same and its first observation is known, at that place and with that stamp. Else (one was
+  /// missed) the track stays as it is until it comes as a whole.
   const std::vector<Track>& add(std::vector<TrackUpdate> updates);
 
   const std::vector<Track>& tracks() const { return tracks_; }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/geometry/unit_quaternion.h"
+#include "cabinet_articulation/geometry/message_precision.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace cabinet_articulation::core {
 
@@ -12,6 +15,12 @@ Eigen::Isometry3d asSent(const Eigen::Isometry3d& pose) {
   sent.linear() = toRotation(toQuaternion(pose.linear()));
   sent.translation() = pose.translation();
   return sent;
+}
+
+double asSent(double stamp) {
+  constexpr double kNanoseconds = 1e9;
+  const double seconds = std::floor(std::max(stamp, 0.0));
+  return seconds + std::round((std::max(stamp, 0.0) - seconds) * kNanoseconds) * 1e-9;
 }
 
 }  // namespace cabinet_articulation::core
