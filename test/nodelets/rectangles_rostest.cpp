@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "cabinet_articulation/ros/conversions.h"
 #include "support/front_scene.h"
@@ -22,7 +23,7 @@ class RectanglesNodelet : public testing::Test {
   void SetUp() override {
     ASSERT_TRUE(spinUntil([&] {
       // Both nodelets need disparity and camera.
-      return rectangles_.connected() && disparity_.getNumSubscribers() == 1 && info_.getNumSubscribers() == 1;
+      return rectangles_->connected() && disparity_.getNumSubscribers() == 1 && info_.getNumSubscribers() == 1;
     }));
   }
 
@@ -35,12 +36,12 @@ class RectanglesNodelet : public testing::Test {
   }
 
   RectangleArray answer() {
-    const size_t before = rectangles_.messages.size();
+    const size_t before = rectangles_->messages.size();
     const bool came = spinUntil([&] {
       publish();
-      return spinUntil([&] { return rectangles_.messages.size() > before; }, 0.3);
+      return spinUntil([&] { return rectangles_->messages.size() > before; }, 0.3);
     });
-    return came ? *rectangles_.messages.back() : RectangleArray();
+    return came ? *rectangles_->messages.back() : RectangleArray();
   }
 
   const test::FrontScene scene_;
@@ -48,7 +49,7 @@ class RectanglesNodelet : public testing::Test {
   ros::NodeHandle nh_;
   ros::Publisher info_ = nh_.advertise<sensor_msgs::CameraInfo>("left/camera_info", 10);
   ros::Publisher disparity_ = nh_.advertise<stereo_msgs::DisparityImage>("disparity", 10);
-  Recorder<RectangleArray> rectangles_{"rectangles"};
+  std::unique_ptr<Recorder<RectangleArray>> rectangles_ = std::make_unique<Recorder<RectangleArray>>("rectangles");
   test::Reports reports_;
 };
 
@@ -82,7 +83,7 @@ class RectanglesNodeletBesideATracker : public RectanglesNodelet {
     header_.frame_id = "optical";
     // The first frame may come before everything listens; from then on each is answered.
     answer();
-    ASSERT_TRUE(spinUntil([&] { return rectangles_.messages.back()->header.stamp == stamp_; }));
+    ASSERT_TRUE(spinUntil([&] { return rectangles_->messages.back()->header.stamp == stamp_; }));
   }
 
   /// What the rectangles of one frame took.
@@ -92,9 +93,9 @@ class RectanglesNodeletBesideATracker : public RectanglesNodelet {
     EXPECT_TRUE(spinUntil([&] {
       for (const auto& timing : timing_.messages)
         if (timing->stage == "rectangles" && timing->header.stamp == stamp_) found = *timing;
-      return found.header.stamp == stamp_ && rectangles_.messages.back()->header.stamp == stamp_;
+      return found.header.stamp == stamp_ && rectangles_->messages.back()->header.stamp == stamp_;
     }));
-    expectFront(*rectangles_.messages.back(), scene_.front);
+    expectFront(*rectangles_->messages.back(), scene_.front);
     header_.stamp = stamp_;
     return found;
   }
@@ -123,6 +124,54 @@ TEST_F(RectanglesNodeletBesideATracker, WaitsNoLongerThanAFrameAndSaysSo) {
   EXPECT_TRUE(spinUntil(
       [&] { return reports_.statusHas("rectangles", "the tracks after the frame before did not come within a frame's time, 100 ms"); }))
       << reports_.status("rectangles");
+}
+
+TEST_F(RectanglesNodeletBesideATracker, FramesThatAreDroppedMakeNoWaitLonger) {
+  frame();
+  const std::size_t before = timing_.messages.size();
+  for (int i = 0; i < 20; ++i) {
+    publish();
+    test::spinFor(0.03);
+  }
+  frame();
+  int waits = 0;
+  for (std::size_t i = before; i < timing_.messages.size(); ++i) {
+    if (timing_.messages[i]->stage != "rectangles") continue;
+    EXPECT_LT(timing_.messages[i]->waited, 200) << "frames come every 0.1 s by their stamps";
+    ++waits;
+  }
+  EXPECT_GE(waits, 3);
+}
+
+TEST_F(RectanglesNodeletBesideATracker, ANewSessionWaitsForNoFrameOfTheLast) {
+  frame();
+  rectangles_.reset();
+  ASSERT_TRUE(spinUntil([&] { return reports_.statusHas("rectangles", "idle") && expected_.getNumSubscribers() == 0; }));
+  rectangles_ = std::make_unique<Recorder<RectangleArray>>("rectangles");
+  ASSERT_TRUE(spinUntil([&] {
+    return expected_.getNumSubscribers() > 0 && disparity_.getNumSubscribers() == 1 && info_.getNumSubscribers() == 1;
+  }));
+  test::spinFor(0.2);
+  const Timing first = frame();
+  EXPECT_FALSE(first.incomplete);
+  EXPECT_LT(first.waited, 50);
+}
+
+TEST_F(RectanglesNodeletBesideATracker, TimeThatIsSetBackWaitsForNoFrame) {
+  frame();
+  stamp_ -= ros::Duration(100);
+  const Timing back = frame();
+  EXPECT_FALSE(back.incomplete);
+  EXPECT_LT(back.waited, 50);
+}
+
+TEST_F(RectanglesNodeletBesideATracker, FramesOutOfOrderAreSkippedInWords) {
+  frame();
+  const ros::Time newest = stamp_;
+  stamp_ -= ros::Duration(0.2);
+  publish();
+  EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("rectangles", "is not newer than that of the frame before"); }));
+  EXPECT_EQ(rectangles_->messages.back()->header.stamp, newest);
 }
 
 TEST_F(RectanglesNodeletBesideATracker, ExpectationsThatCannotBePlacedAreLeftOut) {
