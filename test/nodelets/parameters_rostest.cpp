@@ -55,7 +55,7 @@ TEST_F(Parameters, WhatTheStageItselfRefusesIsToldWithTheNodeletsName) {
 TEST_F(Parameters, RectanglesRefinesPlanesBySettingsOfThePlanesStageBesideIt) {
   load("beside/rectangles", "rectangles");
   EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("beside/rectangles", "not running: "); }));
-  EXPECT_TRUE(reports_.statusHas("beside/rectangles", "/beside/planes: setting 'refine_pixels' is 5 px, allowed is 100 to"))
+  EXPECT_TRUE(reports_.statusHas("beside/rectangles", "/beside/planes: setting 'refine_pixels' is 5, allowed is 100 to"))
       << reports_.status("beside/rectangles");
 }
 
