@@ -5,7 +5,6 @@
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "cabinet_articulation/ros/image_conversions.h"
@@ -24,16 +23,23 @@ class SceneBag {
   }
 
   int writeAll() {
-    const int count = config_.frames > 0 ? config_.frames : camera_.frameCount();
-    for (int i = 0; i < count; ++i) {
-      header_.stamp = config_.start + ros::Duration(i / config_.simulation.rate);
-      writeFrame(camera_.frame(i));
+    const int left = camera_.frameCount() - config_.first_frame;
+    if (left < 1)
+      throw std::invalid_argument("frame " + std::to_string(config_.first_frame) + " is not of the scene's motion, which has " +
+                                  std::to_string(camera_.frameCount()) + " frames");
+    const int count = config_.frames > 0 ? config_.frames : left;
+    for (int i = 0; i < config_.rounds * count; ++i) {
+      recorded_ = timeOf(i);
+      header_.stamp = timeOf(i % count);
+      writeFrame(camera_.frame(config_.first_frame + i % count));
     }
     bag_.close();
-    return count;
+    return config_.rounds * count;
   }
 
  private:
+  ros::Time timeOf(int frame) const { return config_.start + ros::Duration(frame / config_.simulation.rate); }
+
   void writeFrame(const core::StereoFrame& frame) {
     writeTransform(frame.truth.T_world_camera);
     add("/truth", toMessage(frame.truth, header_, config_.world_frame));
@@ -60,7 +66,7 @@ class SceneBag {
     message.transforms[0].header.stamp = header_.stamp;
     message.transforms[0].header.frame_id = config_.world_frame;
     message.transforms[0].child_frame_id = config_.optical_frame;
-    bag_.write("/tf", header_.stamp, message);
+    bag_.write("/tf", recorded_, message);
   }
 
   void writePair(const core::StereoFrame& frame, const std::string& name) {
@@ -70,7 +76,7 @@ class SceneBag {
 
   template <class Message>
   void add(const std::string& topic, const Message& message) {
-    bag_.write(config_.camera + topic, header_.stamp, message);
+    bag_.write(config_.camera + topic, recorded_, message);
   }
 
   bool has(const std::string& input) const { return config_.inputs.count(input) > 0; }
@@ -80,6 +86,7 @@ class SceneBag {
   core::BlockMatcher matcher_;
   rosbag::Bag bag_;
   std_msgs::Header header_;
+  ros::Time recorded_;
 };
 
 }  // namespace
