@@ -17,17 +17,18 @@ namespace {
 
 class SceneBag {
  public:
-  SceneBag(const std::string& path, const SceneBagConfig& config)
-      : config_(config), camera_(config.simulation), matcher_(core::StereoConfig()), bag_(path, rosbag::bagmode::Write) {
+  explicit SceneBag(const SceneBagConfig& config)
+      : config_(config), camera_(config.simulation), matcher_(core::StereoConfig()) {
     header_.frame_id = config.optical_frame;
   }
 
-  int writeAll() {
+  int writeAll(const std::string& path) {
     const int left = camera_.frameCount() - config_.first_frame;
     if (left < 1)
       throw std::invalid_argument("frame " + std::to_string(config_.first_frame) + " is not of the scene's motion, which has " +
                                   std::to_string(camera_.frameCount()) + " frames");
     const int count = config_.frames > 0 ? config_.frames : left;
+    bag_.open(path, rosbag::bagmode::Write);
     for (int i = 0; i < config_.rounds * count; ++i) {
       recorded_ = timeOf(i);
       header_.stamp = timeOf(i % count);
@@ -96,7 +97,7 @@ int writeSceneBag(const std::string& path, const SceneBagConfig& config) {
     if (input != "stereo" && input != "disparity" && input != "depth")
       throw std::invalid_argument("unknown input '" + input + "', expected stereo, disparity or depth");
   try {
-    return SceneBag(path, config).writeAll();
+    return SceneBag(config).writeAll(path);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": cannot be written (" + error.what() + ")");
   }

@@ -152,6 +152,7 @@ TEST_F(SceneBag, SaysWhatIsWrong) {
   config_.first_frame = 1000;
   EXPECT_NE(errorOf([&] { writeSceneBag(path_.string(), config_); }).find("frame 1000 is not of the scene's motion"),
             std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path_));
   config_.first_frame = 0;
   EXPECT_NE(errorOf([&] { writeSceneBag("none/out.bag", config_); }).find("none/out.bag: cannot be written"), std::string::npos);
   config_.simulation.scene = "bathroom";
