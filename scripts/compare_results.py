@@ -20,6 +20,8 @@ TOLERANCE = 1e-9
 # What rounding leaves where 0 is meant. A standard deviation of 0.1 mm or 0.01 degrees is a covariance of 1e-8.
 FLOOR, COVARIANCE_FLOOR = 1e-12, 1e-16
 SHOWN_STAMPS = 10
+# [ns] Stamps that go back by no more are frames out of order, as in clock_jump.h.
+OUT_OF_ORDER = 10**9
 # How a message was sent, not what was found.
 IGNORED = {'seq', 'first'}
 # What a track has of each observation, and how many values.
@@ -68,42 +70,28 @@ def differences(a, b, tolerance, path='', ignored=IGNORED):
 
 
 class History:
-    """All observations of one track."""
-
-    def __init__(self, track):
-        self.revision = getattr(track, 'revision', 0)
-        self.lists = {field: [] for field in HISTORY if hasattr(track, field)}
-        self.complete = False
-        self.compared = 0  # so many observations were found equal
-
-    def cut_and_append(self, first, track):
-        for field, values in self.lists.items():
-            del values[first * HISTORY[field]:]
-            values.extend(getattr(track, field))
-        self.complete = True
-        self.compared = min(self.compared, first)
-
-
-class TrackAssembly:
-    """Puts tracks together: a message carries the observations from `first` on. After a gap a track stays as it was, and
+    """All observations of one track: a message carries those from `first` on. After a gap a history stays as it was, and
     incomplete, until the next whole one (`first` = 0)."""
 
     def __init__(self):
-        self.histories = {}
+        self.lists = {field: [] for field in HISTORY}
+        self.revision = None
+        self.compared = 0  # so many observations were found equal
+        self.complete = False
 
-    def add(self, message):
-        self.histories = {track.id: self.updated(track) for track in message.tracks}
-
-    def updated(self, track):
-        first = getattr(track, 'first', 0)
-        history = self.histories.get(track.id)
-        if history is None or first == 0:
-            history = History(track)
-        if first <= len(history.lists['stamps']) and history.revision == getattr(track, 'revision', 0):
-            history.cut_and_append(first, track)
-        else:
-            history.complete = False
-        return history
+    def add(self, track):
+        first = track.first
+        # A part begins with an observation that was sent before.
+        known = self.lists['stamps'][first:first + 1]
+        self.complete = first == 0 or (self.revision == track.revision and len(known) == 1 and known == track.stamps[:1])
+        if not self.complete:
+            return self
+        for field, values in self.lists.items():
+            del values[first * HISTORY[field]:]
+            values.extend(getattr(track, field))
+        self.revision = track.revision
+        self.compared = min(self.compared, first)
+        return self
 
 
 class Comparison:
@@ -127,17 +115,16 @@ class Comparison:
             self.count(frame, list(differences(live[frame][-1], offline[frame][-1], self.tolerance)))
 
     def compare_tracks(self, live, offline):
-        assemblies = TrackAssembly(), TrackAssembly()
+        histories = [{}, {}]  # by id
         for frame in sorted(set(live) | set(offline)):
-            for assembly, messages in zip(assemblies, (live, offline)):
+            for i, messages in enumerate((live, offline)):
                 for message in messages.get(frame, []):
-                    assembly.add(message)
+                    histories[i] = {track.id: histories[i].get(track.id, History()).add(track) for track in message.tracks}
             if frame in live and frame in offline:
                 a, b = live[frame][-1], offline[frame][-1]
                 found = list(differences(a, b, self.tolerance, ignored=IGNORED | set(HISTORY)))
-                for i, tracks in enumerate(zip(a.tracks, b.tracks)):
-                    histories = [assembly.histories[track.id] for assembly, track in zip(assemblies, tracks)]
-                    found += self.compare_histories(*histories, 'tracks[%d]' % i)
+                for i, (track_a, track_b) in enumerate(zip(a.tracks, b.tracks)):
+                    found += self.compare_histories(histories[0][track_a.id], histories[1][track_b.id], 'tracks[%d]' % i)
                 self.count(frame, found)
 
     def compare_histories(self, a, b, path):
@@ -148,7 +135,7 @@ class Comparison:
         start = min(a.compared, b.compared)
         found = []
         for field in a.lists:
-            found += list_differences(a.lists[field], b.lists.get(field, []), self.tolerance, '%s.%s' % (path, field),
+            found += list_differences(a.lists[field], b.lists[field], self.tolerance, '%s.%s' % (path, field),
                                       start * HISTORY[field])
         a.compared = b.compared = start if found else len(a.lists['stamps'])
         return found
@@ -176,11 +163,12 @@ class Comparison:
 
 def by_frame(messages):
     """{(round, stamp): messages}. A new round begins where time jumps back."""
-    frames, round_, last = {}, 0, 0
+    frames, round_, newest = {}, 0, 0
     for message in messages:
         stamp = message.header.stamp.to_nsec()
-        round_ += stamp < last
-        last = stamp
+        jumped = newest - stamp > OUT_OF_ORDER
+        round_ += jumped
+        newest = stamp if jumped else max(newest, stamp)
         frames.setdefault((round_, stamp), []).append(message)
     return frames
 
@@ -218,6 +206,10 @@ def read(path, ns):
                 timing.setdefault(message.stage, []).append(message.milliseconds)
             else:
                 messages[name].append(message)
+            for track in getattr(message, 'tracks', []):
+                lacking = sorted({'first', 'revision', *HISTORY} - set(track.__slots__))
+                if lacking:
+                    raise ValueError('%s is of an older version: its tracks have no %s' % (path, ', '.join(lacking)))
     silent = [name for name in TOPICS if not messages[name]]
     if silent:
         raise ValueError('%s has no message on %s' % (path, ', '.join('/%s/%s' % (ns, name) for name in silent)))

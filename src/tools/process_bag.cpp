@@ -123,7 +123,8 @@ class Run {
   bool isNewer(const ros::Time& stamp) {
     const std::optional<ros::Time> newest = clock_jump_.newest();
     if (!clock_jump_(stamp)) return !newest || stamp > *newest;
-    std::fprintf(stderr, "process_bag: time jumped back from %f to %f, joints stay known, all else is forgotten\n", newest->toSec(), stamp.toSec());
+    std::fprintf(stderr, "process_bag: time jumped back from %f to %f, joints stay known, all else is forgotten\n",
+                 newest->toSec(), stamp.toSec());
     pipeline_.startAfresh();
     return true;
   }

@@ -18,8 +18,10 @@ ResultBag::ResultBag(const std::string& path) : path_(path) {
 
 template <class Message>
 void ResultBag::add(const std::string& topic, const std_msgs::Header& header, const Message& message) {
+  // The stamp itself unless it would not be the latest: what reads a bag sorts by the record time.
+  recorded_ = std::max(header.stamp, recorded_ + ros::Duration(0, 1));
   try {
-    bag_.write(topic, std::max(header.stamp, ros::TIME_MIN), message);
+    bag_.write(topic, recorded_, message);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path_ + ": cannot be written (" + error.what() + ")");
   }

@@ -3,6 +3,7 @@
 
 #include <cabinet_articulation/RectangleArray.h>
 #include <rosbag/bag.h>
+#include <ros/time.h>
 #include <std_msgs/Header.h>
 
 #include <string>
@@ -12,8 +13,9 @@
 
 namespace cabinet_articulation {
 
-/// Writes what the pipeline found to /cabinet/{rectangles,tracks,models} of a bag, with the stamps of the input. The same
-/// results give the same bytes. Throws std::runtime_error in words where the file cannot be written.
+/// Writes what the pipeline found to /cabinet/{rectangles,tracks,models} of a bag, with the stamps of the input. It is read in
+/// the order in which it was written, also where stamps jump back: record times grow. The same results give the same bytes.
+/// Throws std::runtime_error in words where the file cannot be written.
 class ResultBag {
  public:
   explicit ResultBag(const std::string& path);
@@ -31,6 +33,7 @@ class ResultBag {
 
   rosbag::Bag bag_;
   std::string path_;
+  ros::Time recorded_;  ///< of the last message
 };
 
 }  // namespace cabinet_articulation

@@ -5,7 +5,6 @@
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "cabinet_articulation/ros/image_conversions.h"
@@ -18,22 +17,30 @@ namespace {
 
 class SceneBag {
  public:
-  SceneBag(const std::string& path, const SceneBagConfig& config)
-      : config_(config), camera_(config.simulation), matcher_(core::StereoConfig()), bag_(path, rosbag::bagmode::Write) {
+  explicit SceneBag(const SceneBagConfig& config)
+      : config_(config), camera_(config.simulation), matcher_(core::StereoConfig()) {
     header_.frame_id = config.optical_frame;
   }
 
-  int writeAll() {
-    const int count = config_.frames > 0 ? config_.frames : camera_.frameCount();
-    for (int i = 0; i < count; ++i) {
-      header_.stamp = config_.start + ros::Duration(i / config_.simulation.rate);
-      writeFrame(camera_.frame(i));
+  int writeAll(const std::string& path) {
+    const int left = camera_.frameCount() - config_.first_frame;
+    if (left < 1)
+      throw std::invalid_argument("frame " + std::to_string(config_.first_frame) + " is not of the scene's motion, which has " +
+                                  std::to_string(camera_.frameCount()) + " frames");
+    const int count = config_.frames > 0 ? config_.frames : left;
+    bag_.open(path, rosbag::bagmode::Write);
+    for (int i = 0; i < config_.rounds * count; ++i) {
+      recorded_ = timeOf(i);
+      header_.stamp = timeOf(i % count);
+      writeFrame(camera_.frame(config_.first_frame + i % count));
     }
     bag_.close();
-    return count;
+    return config_.rounds * count;
   }
 
  private:
+  ros::Time timeOf(int frame) const { return config_.start + ros::Duration(frame / config_.simulation.rate); }
+
   void writeFrame(const core::StereoFrame& frame) {
     writeTransform(frame.truth.T_world_camera);
     add("/truth", toMessage(frame.truth, header_, config_.world_frame));
@@ -60,7 +67,7 @@ class SceneBag {
     message.transforms[0].header.stamp = header_.stamp;
     message.transforms[0].header.frame_id = config_.world_frame;
     message.transforms[0].child_frame_id = config_.optical_frame;
-    bag_.write("/tf", header_.stamp, message);
+    bag_.write("/tf", recorded_, message);
   }
 
   void writePair(const core::StereoFrame& frame, const std::string& name) {
@@ -70,7 +77,7 @@ class SceneBag {
 
   template <class Message>
   void add(const std::string& topic, const Message& message) {
-    bag_.write(config_.camera + topic, header_.stamp, message);
+    bag_.write(config_.camera + topic, recorded_, message);
   }
 
   bool has(const std::string& input) const { return config_.inputs.count(input) > 0; }
@@ -80,6 +87,7 @@ class SceneBag {
   core::BlockMatcher matcher_;
   rosbag::Bag bag_;
   std_msgs::Header header_;
+  ros::Time recorded_;
 };
 
 }  // namespace
@@ -89,7 +97,7 @@ int writeSceneBag(const std::string& path, const SceneBagConfig& config) {
     if (input != "stereo" && input != "disparity" && input != "depth")
       throw std::invalid_argument("unknown input '" + input + "', expected stereo, disparity or depth");
   try {
-    return SceneBag(path, config).writeAll();
+    return SceneBag(config).writeAll(path);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": cannot be written (" + error.what() + ")");
   }

@@ -13,7 +13,9 @@ namespace cabinet_articulation {
 /// What of a simulated scene goes to a bag.
 struct SceneBagConfig {
   core::SimulationConfig simulation;
-  int frames = 0;                             ///< 0: one run of the scene's motion; after it nothing moves
+  int first_frame = 0;                        ///< where in the scene's motion the bag begins
+  int frames = 0;                             ///< 0: to the end of the scene's motion; after it nothing moves
+  int rounds = 1;                             ///< the same frames so often, each time with the same stamps (a bag in a loop)
   std::set<std::string> inputs = {"stereo"};  ///< of stereo, disparity, depth: the topics that pipeline.launch takes with each
   ros::Time start{1000};                      ///< stamp of the first frame
   std::string camera = "/stereo";             ///< namespace of the topics
@@ -22,8 +24,9 @@ struct SceneBagConfig {
 };
 
 /// Writes the images of all inputs with their CameraInfos, /tf, and <camera>/truth (SceneTruth). Returns the number of frames.
-/// Throws std::invalid_argument for an unknown input, core::ConfigError for a setting of the simulation out of range,
-/// std::runtime_error in words where the file cannot be written.
+/// Record times grow throughout, stamps begin anew with each round. Throws std::invalid_argument for an unknown input or a
+/// first frame after the end of the motion, core::ConfigError for a setting of the simulation out of range, std::runtime_error
+/// in words where the file cannot be written.
 int writeSceneBag(const std::string& path, const SceneBagConfig& config);
 
 }  // namespace cabinet_articulation

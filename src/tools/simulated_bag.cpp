@@ -18,7 +18,9 @@ constexpr char kUsage[] =
     "  SCENE              door, drawer, kitchen, pedestal or static\n"
     "  --input INPUT      stereo (the default), disparity or depth, as in pipeline.launch; again for a further one\n"
     "  --camera-motion M  how far the camera wanders about its place, in metres (default: 0, it stands)\n"
-    "  --frames N         default: one run of the scene's motion\n"
+    "  --first N          begins at this frame of the scene's motion (default: 0)\n"
+    "  --frames N         default: to the end of the scene's motion\n"
+    "  --rounds N         the same frames N times, with the same stamps, as a bag in a loop (default: 1)\n"
     "  --rate HZ          default: 15\n"
     "  --seed N           varies the scene (default: 1)\n"
     "  --camera NAMESPACE of the topics (default: /stereo)\n"
@@ -40,10 +42,11 @@ double number(const std::string& option, const std::string& text) {
   throw std::invalid_argument("--" + option + " expects a number, got '" + text + "'");
 }
 
-int wholeNumber(const std::string& option, const std::string& text) {
+int wholeNumber(const std::string& option, const std::string& text, int least = 1) {
   const double value = number(option, text);
-  if (value < 1 || value > 1e6 || value != static_cast<int>(value))
-    throw std::invalid_argument("--" + option + " expects a whole number from 1 to 1000000, got '" + text + "'");
+  if (value < least || value > 1e6 || value != static_cast<int>(value))
+    throw std::invalid_argument("--" + option + " expects a whole number from " + std::to_string(least) + " to 1000000, got '" +
+                                text + "'");
   return static_cast<int>(value);
 }
 
@@ -51,7 +54,9 @@ void set(const std::string& option, const std::string& value, Options* options) 
   core::SimulationConfig& simulation = options->config.simulation;
   if (option == "input") options->inputs.insert(value);
   if (option == "camera-motion") simulation.camera_motion = number(option, value);
+  if (option == "first") options->config.first_frame = wholeNumber(option, value, 0);
   if (option == "frames") options->config.frames = wholeNumber(option, value);
+  if (option == "rounds") options->config.rounds = wholeNumber(option, value);
   if (option == "rate") simulation.rate = number(option, value);
   if (option == "seed") simulation.scene_seed = wholeNumber(option, value);
   if (option == "camera") options->config.camera = value[0] == '/' ? value : "/" + value;
@@ -60,7 +65,7 @@ void set(const std::string& option, const std::string& value, Options* options) 
 /// Throws std::invalid_argument. Nothing if only help was asked for.
 std::optional<Options> parseOptions(int argc, char** argv) {
   std::vector<option> known;
-  for (const char* name : {"input", "camera-motion", "frames", "rate", "seed", "camera"})
+  for (const char* name : {"input", "camera-motion", "first", "frames", "rounds", "rate", "seed", "camera"})
     known.push_back({name, required_argument, nullptr, 'o'});
   known.push_back({"help", no_argument, nullptr, 'h'});
   known.push_back({nullptr, 0, nullptr, 0});

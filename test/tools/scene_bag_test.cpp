@@ -124,11 +124,36 @@ TEST_F(SceneBag, TheCameraMoves) {
   EXPECT_NE(transforms[0]->transforms[0].transform.translation.x, transforms[2]->transforms[0].transform.translation.x);
 }
 
+TEST_F(SceneBag, RepeatsItsFramesWithTheirStampsButGrowingRecordTimes) {
+  config_.first_frame = 30;
+  config_.frames = 2;
+  config_.rounds = 2;
+  config_.simulation.rate = 10;
+  EXPECT_EQ(writeSceneBag(path_.string(), config_), 4);
+  rosbag::Bag bag(path_.string());
+  std::vector<std::pair<ros::Time, ros::Time>> times;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery("/stereo/truth")))
+    times.emplace_back(instance.getTime(), instance.instantiate<SceneTruth>()->header.stamp);
+  const ros::Time first(1000), second(1000.1);
+  const std::vector<std::pair<ros::Time, ros::Time>> expected = {
+      {first, first}, {second, second}, {ros::Time(1000.2), first}, {ros::Time(1000.3), second}};
+  EXPECT_EQ(times, expected);
+  const auto images = read<sensor_msgs::Image>("/stereo/left/image_raw");
+  EXPECT_EQ(*images.at(2), *images.at(0));
+  EXPECT_EQ(*images.at(3), *images.at(1));
+  for (const auto& truth : read<SceneTruth>("/stereo/truth")) EXPECT_GT(truth->joints.at(0).q, 0.1) << "begins where it is open";
+}
+
 TEST_F(SceneBag, SaysWhatIsWrong) {
   config_.inputs = {"points"};
   EXPECT_EQ(errorOf([&] { writeSceneBag(path_.string(), config_); }),
             "unknown input 'points', expected stereo, disparity or depth");
   config_.inputs = {"stereo"};
+  config_.first_frame = 1000;
+  EXPECT_NE(errorOf([&] { writeSceneBag(path_.string(), config_); }).find("frame 1000 is not of the scene's motion"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path_));
+  config_.first_frame = 0;
   EXPECT_NE(errorOf([&] { writeSceneBag("none/out.bag", config_); }).find("none/out.bag: cannot be written"), std::string::npos);
   config_.simulation.scene = "bathroom";
   EXPECT_NE(errorOf([&] { writeSceneBag(path_.string(), config_); }).find("bathroom"), std::string::npos);
