@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Compares what the nodelets published (LIVE.bag) with what process_bag wrote (OFFLINE.bag), field by field.
 
-Frames belong together by their stamp. All fields of rectangles, models and tracks are compared; tracks are put together
-first from messages that carry only what is new. Numbers may differ by TOLERANCE times the larger magnitude (and by 1e-12
-around 0, covariances by 1e-16), NaN equals NaN, quaternions may have either sign; integers, strings and lengths are exact.
+Frames belong together by their stamp. All fields of rectangles, models and tracks are compared, but for header.seq, Track.first
+and TrackArray.generation; tracks are put together first from messages that carry only what is new. Numbers may differ by
+TOLERANCE times the larger magnitude (and by 1e-12 around 0, covariances by 1e-16), NaN equals NaN, quaternions may have either
+sign; integers, strings and lengths are exact.
 
 Exit status: 0 if all frames are there and equal, 1 if not, 2 if the bags cannot be compared.
 """
@@ -22,8 +23,8 @@ FLOOR, COVARIANCE_FLOOR = 1e-12, 1e-16
 SHOWN_STAMPS = 10
 # [ns] Stamps that go back by no more are frames out of order, as in clock_jump.h.
 OUT_OF_ORDER = 10**9
-# How a message was sent, not what was found.
-IGNORED = {'seq', 'first'}
+# How a message was sent, not what was found; a generation is a time of day.
+IGNORED = {'seq', 'first', 'generation'}
 # What a track has of each observation, and how many values.
 HISTORY = {'stamps': 1, 'poses': 1, 'widths': 1, 'heights': 1, 'covariances': 36, 'edge_support': 4, 'measured_poses': 1,
            'measured_widths': 1, 'measured_heights': 1, 'measured_covariances': 36}

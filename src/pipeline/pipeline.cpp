@@ -62,7 +62,7 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
     return rectangles_.process(frame, result.planes, expectedInCamera(asSent(tracking_.expected()), stamp, T_fixed_camera));
   });
   result.track_updates = timed(times.tracking, [&] {
-    if (std::exchange(joints_are_new_, false)) tellTrackerOfJoints();
+    if (std::exchange(joints_are_due_, false)) tellTrackerOfJoints();
     return updates_.of(tracking_.process(stamp, transformed(asSent(result.rectangles), T_fixed_camera)), stamp);
   });
   result.models = timed(times.articulation, [&] {
@@ -71,6 +71,7 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
     known_.update(models);
     return models;
   });
+  joints_are_due_ = std::exchange(joints_are_new_, false);
   result.tracks = &known_.tracks();
   return result;
 }
@@ -80,7 +81,7 @@ void Pipeline::reset() {
   updates_.startAnew();
   known_.replace({});
   joints_.clear();
-  joints_are_new_ = false;
+  joints_are_new_ = joints_are_due_ = false;
   articulation_.reset();
 }
 

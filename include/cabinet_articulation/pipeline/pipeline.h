@@ -83,8 +83,9 @@ class Pipeline {
   RectangleTracker tracking_;
   TrackUpdates updates_;
   KnownFronts known_;
-  std::vector<Track> joints_;   ///< that the tracker was told of, or will be
-  bool joints_are_new_ = false;  ///< the tracker does not know them yet
+  std::vector<Track> joints_;    ///< that the tracker was told of, or will be
+  bool joints_are_new_ = false;  ///< to be told after the next frame
+  bool joints_are_due_ = false;  ///< to be told now
   ArticulationLearner articulation_;
 };
 
