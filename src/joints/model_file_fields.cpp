@@ -129,6 +129,9 @@ double share(const YAML::Node& node, const std::string& field) {
   return value;
 }
 
+/// What older files have among the params, where nobody would keep it up to date.
+bool isField(const std::string& param) { return param == "support" || param == "doubt"; }
+
 JointType typeFromName(const YAML::Node& node) {
   for (const ModelEntry& entry : modelRegistry())
     if (node && node.IsScalar() && node.Scalar() == entry.name) return entry.type;
@@ -236,6 +239,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   constexpr int kMost = std::numeric_limits<int>::max();
   model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", kMost));
   for (const auto& entry : node["params"]) {
+    if (isField(entry.first.Scalar())) continue;
     const Numbers param = numbers(entry.second, "params", 2);
     model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
   }

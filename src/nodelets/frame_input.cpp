@@ -15,12 +15,18 @@ FrameTopics resolved(const ros::NodeHandle& nh, FrameTopics topics) {
 FrameInput::FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync)
     : nh_(nh),
       input_(config.input),
-      assembler_(config, sync, resolved(nh, FrameTopics::below("", config.input)), [this](const FrameMessages& frame) {
-        if (complete_) complete_(frame);
-      }) {}
+      assembler_(
+          config, sync, resolved(nh, FrameTopics::below("", config.input)),
+          [this](const FrameMessages& frame) {
+            if (complete_) complete_(frame);
+          },
+          [this](const std::string& why) {
+            if (left_out_) left_out_(why);
+          }) {}
 
-void FrameInput::subscribe(const FrameAssembler::Callback& complete) {
+void FrameInput::subscribe(const FrameAssembler::Callback& complete, const FrameAssembler::LeftOut& left_out) {
   complete_ = complete;
+  left_out_ = left_out;
   const FrameTopics topics = FrameTopics::below("", input_);
   info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.info, [this](const auto& info) { assembler_.addInfo(info); });
   if (input_ == "depth") {
@@ -31,8 +37,13 @@ void FrameInput::subscribe(const FrameAssembler::Callback& complete) {
                                                        [this](const auto& info) { assembler_.addRightInfo(info); });
   left_topic_.subscribe<sensor_msgs::Image>(nh_, topics.left, [this](const auto& image) { assembler_.addLeft(image); });
   right_topic_.subscribe<sensor_msgs::Image>(nh_, topics.right, [this](const auto& image) { assembler_.addRight(image); });
-  frame_topic_.subscribe<stereo_msgs::DisparityImage>(
-      nh_, topics.frame, [this](const auto& disparity) { assembler_.addDisparity(disparity); });
+  frame_topic_.subscribe<stereo_msgs::DisparityImage>(nh_, topics.frame,
+                                                      [this](const auto& disparity) { addDisparity(disparity); });
+}
+
+void FrameInput::addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity) {
+  if (left_topic_.publishers() > 0 && right_topic_.publishers() > 0) assembler_.expectImages();
+  assembler_.addDisparity(disparity);
 }
 
 void FrameInput::unsubscribe() {

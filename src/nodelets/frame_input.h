@@ -17,8 +17,8 @@ class FrameInput {
  public:
   FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync);
 
-  /// `complete` (may be empty) is called for every frame.
-  void subscribe(const FrameAssembler::Callback& complete);
+  /// The callbacks (may be empty) are those of FrameAssembler.
+  void subscribe(const FrameAssembler::Callback& complete, const FrameAssembler::LeftOut& left_out = {});
   void unsubscribe();
 
   /// As those of FrameAssembler.
@@ -30,9 +30,12 @@ class FrameInput {
   const std::string& topic() const { return assembler_.topics().frame; }
 
  private:
+  void addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity);
+
   ros::NodeHandle nh_;
   std::string input_;
   FrameAssembler::Callback complete_;
+  FrameAssembler::LeftOut left_out_;
   FrameAssembler assembler_;
   WatchedSubscriber frame_topic_, info_topic_, right_info_topic_, left_topic_, right_topic_;
 };

@@ -40,9 +40,11 @@ class PlanesStage : public StageNodelet {
   }
 
   void subscribe() override {
-    frames_->subscribe([this](const FrameMessages& messages) {
-      workOnNewest([this, messages] { process(messages); });
-    });
+    frames_->subscribe([this](const FrameMessages& messages) { workOnNewest([this, messages] { process(messages); }); },
+                       [this](const std::string& why) {
+                         health().note("frames before the first CameraInfo", ++left_out_);
+                         trouble("no camera", why);
+                       });
   }
 
   void unsubscribe() override {
@@ -66,6 +68,7 @@ class PlanesStage : public StageNodelet {
   std::unique_ptr<core::PlaneSegmenter> segmenter_;
   PlaneMessages messages_;
   ros::Publisher planes_;
+  int left_out_ = 0;
   std::unique_ptr<FrameInput> frames_;
 };
 

@@ -55,6 +55,11 @@ class StereoStage : public StageNodelet {
     const std::optional<Pair> pair = pairs_->add(side, image);
     if (pair && left_info_ && right_info_) {
       workOnNewest([this, input = Input{*pair, left_info_, right_info_}] { process(input); });
+    } else if (pair) {
+      health().note("pairs before the first CameraInfo", ++left_out_);
+      const WatchedSubscriber& missing = left_info_ ? right_info_topic_ : left_info_topic_;
+      trouble("no camera", missing.topic() + ": no CameraInfo yet; until the first one, " + left_.topic() + " and " +
+                               right_.topic() + " are not used");
     } else if (const std::optional<double> difference = pairs_->mismatch()) {
       trouble("stamps",
               left_.topic() + " and " + right_.topic() + ": left and right stamps differ by " +
@@ -81,6 +86,7 @@ class StereoStage : public StageNodelet {
   std::unique_ptr<core::BlockMatcher> matcher_;
   std::unique_ptr<PairMatcher<sensor_msgs::Image>> pairs_;
   sensor_msgs::CameraInfoConstPtr left_info_, right_info_;
+  int left_out_ = 0;
   ros::Publisher disparity_;
   WatchedSubscriber left_, right_, left_info_topic_, right_info_topic_;
 };

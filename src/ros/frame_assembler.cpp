@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/ros/frame_assembler.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "cabinet_articulation/ros/image_conversions.h"
@@ -29,8 +30,12 @@ FrameTopics FrameTopics::below(const std::string& camera, const std::string& inp
 }
 
 FrameAssembler::FrameAssembler(const FrameInputConfig& config, const SyncConfig& sync, const FrameTopics& topics,
-                               Callback complete)
-    : config_(config), topics_(topics), complete_(std::move(complete)), pair_matcher_(sync.tolerance()) {}
+                               Callback complete, LeftOut left_out)
+    : config_(config),
+      topics_(topics),
+      complete_(std::move(complete)),
+      left_out_(std::move(left_out)),
+      pair_matcher_(sync.tolerance()) {}
 
 void FrameAssembler::addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity) {
   FrameMessages frame;
@@ -57,13 +62,21 @@ void FrameAssembler::addImage(Side side, const sensor_msgs::ImageConstPtr& image
 }
 
 bool FrameAssembler::imagesMayStillCome() const {
-  return waiting_->disparity && left_comes_ && right_comes_ && !imagesOf(waiting_->header().stamp);
+  return waiting_->disparity && left_comes_ && right_comes_ && pairOf(waiting_->header().stamp) == pairs_.rend();
 }
 
-std::optional<FrameAssembler::ImagePairs::Pair> FrameAssembler::imagesOf(const ros::Time& stamp) const {
-  for (auto pair = pairs_.rbegin(); pair != pairs_.rend(); ++pair)
-    if (pair->left->header.stamp == stamp) return *pair;
-  return {};
+std::deque<FrameAssembler::ImagePairs::Pair>::const_reverse_iterator FrameAssembler::pairOf(const ros::Time& stamp) const {
+  return std::find_if(pairs_.rbegin(), pairs_.rend(),
+                      [&stamp](const ImagePairs::Pair& pair) { return pair.left->header.stamp == stamp; });
+}
+
+void FrameAssembler::takeImages(FrameMessages* frame) {
+  const auto pair = pairOf(frame->header().stamp);
+  if (pair == pairs_.rend()) return;
+  frame->left = pair->left;
+  frame->right = pair->right;
+  // The disparities of those that arrived before never came.
+  pairs_.erase(pairs_.begin(), pair.base());
 }
 
 void FrameAssembler::flush() {
@@ -73,10 +86,10 @@ void FrameAssembler::flush() {
   const ros::Time stamp = frame.header().stamp;
   frame.info = infoAt(infos_, stamp);
   frame.right_info = infoAt(right_infos_, stamp);
-  if (!frame.info) return;
-  if (const auto images = imagesOf(stamp); frame.disparity && images) {
-    frame.left = images->left;
-    frame.right = images->right;
+  if (frame.disparity) takeImages(&frame);
+  if (!frame.info) {
+    if (left_out_) left_out_(topics_.info + ": no CameraInfo yet; until the first one, " + topics_.frame + " is not used");
+    return;
   }
   addBounded(frame, kDepth, &frames_);
   if (complete_) complete_(frame);

@@ -206,7 +206,8 @@ core::ExpectedFront fromMessage(const ExpectedFront& message) {
 core::ExpectedFronts fromMessage(const ExpectedFrontArray& message) {
   core::ExpectedFronts expected;
   expected.horizon = message.horizon;
-  if (!(expected.horizon >= 0)) throw std::invalid_argument("horizon is " + std::to_string(message.horizon) + ", expected 0 s or more");
+  if (!(expected.horizon >= 0))
+    throw std::invalid_argument("horizon is " + std::to_string(message.horizon) + ", expected 0 s or more");
   expected.fronts = fromMessages<core::ExpectedFront>(message.fronts, "fronts");
   return expected;
 }

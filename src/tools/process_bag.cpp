@@ -25,6 +25,7 @@ constexpr char kUsage[] =
     "  --fixed-frame FRAME all poses in this frame, by the bag's tf (default: the left camera's optical frame)\n"
     "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n"
     "  --input KIND        stereo (default), disparity or depth\n"
+    "                      images of a pair have equal stamps; depth is that of a pair with the default virtual_baseline\n"
     "  --camera NAMESPACE  of the input's topics (default: /stereo), else the only ones below it that fit; they are for\n"
     "                      stereo: left/, right/ image_raw or image_rect, and camera_info;\n"
     "                      disparity: disparity, left/camera_info; right/camera_info and left/, right/ image_rect if there;\n"

@@ -6,6 +6,7 @@
 #include "cabinet_articulation/tracking/motion_gate.h"
 
 namespace cabinet_articulation::core {
+
 const TrackedObservation& nearestObservation(const std::vector<TrackedObservation>& history, const Eigen::Vector3d& p_fixed) {
   const auto nearer = [&p_fixed](const TrackedObservation& a, const TrackedObservation& b) {
     return (a.rectangle.center() - p_fixed).squaredNorm() < (b.rectangle.center() - p_fixed).squaredNorm();

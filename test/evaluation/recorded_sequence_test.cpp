@@ -17,10 +17,12 @@ namespace fs = std::filesystem;
 const char* const kCalibration = R"({"left": {"width": 8, "height": 6, "P": [700,0,4,0, 0,700,3,0, 0,0,1,0]},
  "right": {"width": 8, "height": 6, "P": [700,0,4,-63, 0,700,3,0, 0,0,1,0]}})";
 
-const char* const kTruth = R"({"frames": [{"stamp": 0.5, "T_world_left": [[1,0,0,7],[0,1,0,8],[0,0,1,9],[0,0,0,1]], "panels": [
+const char* const kTruth = R"({"frames": [{"stamp": 0.5, "T_world_left": [[1,0,0,7],[0,1,0,8],[0,0,1,9],[0,0,0,1]],
+ "panels": [
  {"name": "door", "type": "rotational", "width": 0.4, "height": 0.6, "q": -0.5, "center": [0.1, 0.2, 1.5],
   "orientation_xyzw": [1, 0, 0, 0], "visible_fraction": 0.9, "in_image_fraction": 0.8, "front_faces_camera": false},
- {"name": "wall", "type": "rigid", "width": 1, "height": 1, "q": null, "center": [0, 0, 2], "orientation_xyzw": [1, 0, 0, 0]}]}]})";
+ {"name": "wall", "type": "rigid", "width": 1, "height": 1, "q": null, "center": [0, 0, 2],
+  "orientation_xyzw": [1, 0, 0, 0]}]}]})";
 
 class RecordedSequenceTest : public testing::Test {
  protected:

@@ -90,6 +90,20 @@ TEST_F(ModelFiles, OlderThanDoubtKnowOfNone) {
   EXPECT_EQ(readModelFile(path_).fronts.at(0).model.doubt, 0);
 }
 
+TEST_F(ModelFiles, OlderThanTheFieldsForSupportAndDoubtHaveThemAmongTheParams) {
+  KnownFront door = learned(test::doorModel());
+  door.model.support = 40;
+  door.model.params.push_back({"support", 17, ModelParam::kEval});
+  door.model.params.push_back({"doubt", 0.25, ModelParam::kEval});
+  saveModelFile(path_, {"map", {door}});
+  ASSERT_NE(text().find("doubt: [0.25, 2]"), std::string::npos);
+  const LearnedModel loaded = readModelFile(path_).fronts.at(0).model;
+  EXPECT_EQ(loaded.support, 40);
+  EXPECT_EQ(loaded.doubt, 0);
+  ASSERT_EQ(loaded.params.size(), 2u) << "nobody keeps them up to date there";
+  EXPECT_EQ(loaded.params[1].name, "q_min[0]");
+}
+
 TEST_F(ModelFiles, OfTheTimeWhenIdsBeganAtZeroGiveThatFrontAnother) {
   saveModelFile(path_, {"map", {learned(test::doorModel()), learned(test::drawerModel())}});
   damage("id: 3", "id: 0");

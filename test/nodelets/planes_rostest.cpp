@@ -153,19 +153,37 @@ TEST_F(PlanesNodelet, NamesABadDisparityImage) {
   expectFront(answer([&] { publish(scene_.disparityMessage(header())); }, planes_), scene_);
 }
 
+TEST_F(PlanesNodelet, SaysThatItsCameraIsUnknown) {
+  ros::Publisher info = nh_.advertise<sensor_msgs::CameraInfo>("new_camera/left/camera_info", 10);
+  ros::Publisher disparity = nh_.advertise<stereo_msgs::DisparityImage>("new_camera/disparity", 10);
+  const Recorder<PlaneArray> planes("new_camera/planes");
+  ASSERT_TRUE(spinUntil([&] { return info.getNumSubscribers() > 0 && disparity.getNumSubscribers() > 0; }));
+  const std::string trouble =
+      "/new_camera/left/camera_info: no CameraInfo yet; until the first one, /new_camera/disparity is not used";
+  EXPECT_TRUE(spinUntil([&] {
+    disparity.publish(scene_.disparityMessage(header()));
+    return spinUntil([&] { return reports_.statusHas("new_camera_planes", trouble); }, 0.1);
+  })) << reports_.status("new_camera_planes");
+  EXPECT_TRUE(reports_.logged(rosgraph_msgs::Log::WARN, trouble));
+  EXPECT_TRUE(planes.messages.empty());
+  info.publish(test::cameraInfo(scene_.camera, false, header()));
+  expectFront(answer([&] { disparity.publish(scene_.disparityMessage(header())); }, planes), scene_);
+}
+
 TEST_F(PlanesNodelet, WaitsForImagesThatComeLate) {
-  // As from a bag: the images of a frame arrive after its disparity. Images that contradict the disparity make the
-  // photometric refinement visible: were they used too late or never, the stamps would not come out in order.
+  // As from a bag: the images of a frame arrive after its disparity.
   const ros::Publisher left = nh_.advertise<sensor_msgs::Image>("left/image_rect", 10);
   const ros::Publisher right = nh_.advertise<sensor_msgs::Image>("right/image_rect", 10);
   ASSERT_TRUE(spinUntil([&] { return left.getNumSubscribers() > 0 && right.getNumSubscribers() > 0; }));
   const auto publishImages = [&](const std_msgs::Header& h) {
     for (const ros::Publisher& side : {left, right}) side.publish(test::greyImage(320, 240, h, [](int, int) { return 50; }));
   };
-  const std_msgs::Header first = header();
+  std_msgs::Header first;
+  const PlaneArray before = answer([&] { publish(scene_.disparityMessage(first = header())); }, planes_);
+  EXPECT_FALSE(before.header.stamp.isZero()) << "images that never come are not waited for longer than until the next frame";
+  EXPECT_LT(before.header.stamp, first.stamp) << "no image has come yet, but they are offered";
   publishImages(first);
-  answer([&] { publish(scene_.disparityMessage(first)); }, planes_);
-  test::spinFor(0.3);
+  ASSERT_TRUE(spinUntil([&] { return planes_.messages.back()->header.stamp == first.stamp; }));
   planes_.messages.clear();
   const std_msgs::Header late = header();
   publish(scene_.disparityMessage(late));

@@ -209,6 +209,32 @@ TEST(LazyStereoNodelet, SubscribesOnlyWhileSomebodyListens) {
   EXPECT_TRUE(spinUntil([&] { return left.getNumSubscribers() == 0; }));
 }
 
+TEST(LazyStereoNodelet, SaysWhichCameraInfoIsMissing) {
+  ros::NodeHandle nh;
+  ros::Publisher left = nh.advertise<sensor_msgs::Image>("left/image_rect", 10);
+  ros::Publisher right = nh.advertise<sensor_msgs::Image>("right/image_rect", 10);
+  ros::Publisher right_info = nh.advertise<sensor_msgs::CameraInfo>("right/camera_info", 10);
+  test::Reports reports;
+  ASSERT_TRUE(spinUntil([&] { return reports.statusHas("stereo", "idle: nobody subscribes to its results"); }))
+      << "then it knows no camera any more";
+  const Recorder<stereo_msgs::DisparityImage> disparities("disparity");
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  EXPECT_TRUE(spinUntil([&] {
+    header.stamp += ros::Duration(0.1);
+    right_info.publish(test::cameraInfo(test::smallCamera(), true, header));
+    for (ros::Publisher* side : {&left, &right}) side->publish(test::greyImage(320, 240, header, [](int, int) { return 7; }));
+    return spinUntil(
+        [&] {
+          return reports.statusHas("stereo",
+                                   "/left/camera_info: no CameraInfo yet; until the first one, /left/image_rect and "
+                                   "/right/image_rect are not used");
+        },
+        0.1);
+  })) << reports.status("stereo");
+  EXPECT_TRUE(disparities.messages.empty());
+}
+
 }  // namespace
 }  // namespace cabinet_articulation
 

@@ -4,7 +4,6 @@
 #include <cabinet_articulation/TrackArray.h>
 #include <gtest/gtest.h>
 #include <tf2_eigen/tf2_eigen.h>
-#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include "cabinet_articulation/ros/conversions.h"
@@ -96,12 +95,6 @@ class TrackingNodelet : public testing::Test {
   Recorder<TrackArray> tracks_{"tracks"};
   test::Reports reports_;
 };
-
-// The first test: once it listens, it goes on.
-TEST_F(TrackingNodelet, ListensToTfBeforeItsFirstFrame) {
-  const ros::Publisher tf = nh_.advertise<tf2_msgs::TFMessage>("/tf", 1);
-  EXPECT_TRUE(spinUntil([&] { return tf.getNumSubscribers() > 0; }, 5));
-}
 
 TEST_F(TrackingNodelet, SaysThatATransformIsMissing) {
   std_msgs::Header header;

@@ -47,11 +47,13 @@ class Assembler : public testing::Test {
   FrameAssembler make(const std::string& input, const SyncConfig& sync = {}) {
     FrameInputConfig config;
     config.input = input;
-    return FrameAssembler(config, sync, FrameTopics::below("/stereo/", input),
-                          [this](const FrameMessages& frame) { frames_.push_back(frame); });
+    return FrameAssembler(
+        config, sync, FrameTopics::below("/stereo/", input), [this](const FrameMessages& frame) { frames_.push_back(frame); },
+        [this](const std::string& why) { left_out_.push_back(why); });
   }
 
   std::vector<FrameMessages> frames_;
+  std::vector<std::string> left_out_;
 };
 
 TEST_F(Assembler, DepthIsCompleteWithItsCamera) {
@@ -124,6 +126,44 @@ TEST_F(Assembler, ADisparityWaitsAtMostUntilTheNextOrTheEnd) {
   ASSERT_EQ(frames_.size(), 2u);
   assembler.flush();
   EXPECT_EQ(frames_.size(), 2u);
+}
+
+TEST_F(Assembler, SaysWhichFramesItLeavesOutForWantOfACamera) {
+  FrameAssembler depth = make("depth"), disparity = make("disparity");
+  depth.addDepth(depthAt(1));
+  disparity.addDisparity(disparityAt(1));
+  disparity.addRightInfo(infoAt(1, true));
+  disparity.addDisparity(disparityAt(2));
+  EXPECT_TRUE(frames_.empty());
+  const std::string of_disparity =
+      "/stereo/left/camera_info: no CameraInfo yet; until the first one, /stereo/disparity is not used";
+  EXPECT_EQ(left_out_, (std::vector<std::string>{
+                           "/stereo/depth/camera_info: no CameraInfo yet; until the first one, /stereo/depth/image is not used",
+                           of_disparity, of_disparity}));
+  disparity.addInfo(infoAt(3));
+  disparity.addDisparity(disparityAt(3));
+  EXPECT_EQ(frames_.size(), 1u);
+  EXPECT_EQ(left_out_.size(), 3u);
+}
+
+TEST_F(Assembler, StampsThatComeAgainBringNoImagesOfBefore) {
+  // A short bag in a loop, each disparity before its images. In the first round the disparity of the first frame is lost.
+  FrameAssembler assembler = make("disparity");
+  assembler.expectImages();
+  assembler.addInfo(infoAt(1));
+  for (int round = 0; round < 3; ++round)
+    for (int i = 1; i <= 4; ++i) {
+      const bool lost = round == 0 && i == 1;
+      if (!lost) assembler.addDisparity(disparityAt(i));
+      const auto left = imageAt(i), right = imageAt(i);
+      frames_.clear();
+      assembler.addLeft(left);
+      assembler.addRight(right);
+      ASSERT_EQ(frames_.size(), lost ? 0u : 1u) << "round " << round << ", frame " << i;
+      if (lost) continue;
+      EXPECT_EQ(frames_[0].left, left);
+      EXPECT_EQ(frames_[0].right, right);
+    }
 }
 
 TEST_F(Assembler, FramesOfUntriggeredCamerasHaveThePairOfTheirLeftImage) {

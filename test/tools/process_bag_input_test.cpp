@@ -148,8 +148,9 @@ TEST_F(ProcessBagInput, SkipsMessagesThatCannotBeUsed) {
   bag.close();
   const Outcome outcome = run("depth.bag out.bag --input depth");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.output.find("skipped 1 frames: messages that cannot be used (first: /stereo/depth/image: the depth image is "),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.output.find("skipped 1 frames: messages that cannot be used (first: /stereo/depth/image: the depth image is "),
+      std::string::npos)
       << outcome.output;
 }
 

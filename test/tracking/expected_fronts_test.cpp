@@ -8,17 +8,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kFrame = 1.0 / 15;
-
-std::vector<TrackedObservation> historyOf(const std::vector<Rectangle>& places) {
-  std::vector<TrackedObservation> history(places.size());
-  for (size_t i = 0; i < places.size(); ++i) {
-    history[i].stamp = i * kFrame;
-    history[i].rectangle = places[i];
-  }
-  return history;
-}
-
 TEST(ExpectedFront, KeepsTheVelocityUpToTheHorizon) {
   std::vector<Rectangle> places;
   for (int i = 0; i < 10; ++i) places.push_back(pulled(closedFront(), 0.02 * i));

@@ -9,17 +9,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kFrame = 1.0 / 15;
-
-std::vector<TrackedObservation> historyOf(const std::vector<Rectangle>& places) {
-  std::vector<TrackedObservation> history(places.size());
-  for (size_t i = 0; i < places.size(); ++i) {
-    history[i].stamp = i * kFrame;
-    history[i].rectangle = places[i];
-  }
-  return history;
-}
-
 TEST(ThinOut, ForgetsStandingStillAndKeepsTheMotion) {
   std::vector<Rectangle> places(150, closedFront());
   for (int i = 0; i < 50; ++i) places.push_back(pulled(closedFront(), 0.006 * i));

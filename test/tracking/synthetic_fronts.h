@@ -84,6 +84,16 @@ inline DetectedRectangle withHiddenEdge(DetectedRectangle detection, Edge edge, 
 
 constexpr double kFrame = 1.0 / 15;  ///< [s]
 
+/// One observation for each place, kFrame apart from 0 on.
+inline std::vector<TrackedObservation> historyOf(const std::vector<Rectangle>& places) {
+  std::vector<TrackedObservation> history(places.size());
+  for (size_t i = 0; i < places.size(); ++i) {
+    history[i].stamp = i * kFrame;
+    history[i].rectangle = places[i];
+  }
+  return history;
+}
+
 /// A smooth opening and closing within `period` [s]: 0 at the ends, 1 in the middle.
 inline double opening(double t, double period) { return 0.5 - 0.5 * std::cos(2 * M_PI * t / period); }
 

@@ -62,8 +62,8 @@ class KnownFronts {
   const Track* trackOf(std::uint32_t id) const;
   void remember(KnownFront front);
 
-  TrackAssembly tracks_;                      ///< in view
-  std::map<std::uint32_t, Track> ended_;      ///< out of view since the last update
+  TrackAssembly tracks_;                  ///< in view
+  std::map<std::uint32_t, Track> ended_;  ///< out of view since the last update
   std::map<std::uint32_t, LearnedModel> live_;
   std::map<std::uint32_t, KnownFront> remembered_;  ///< without those that `live_` has with a joint worth keeping
 };

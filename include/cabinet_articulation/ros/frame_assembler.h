@@ -47,13 +47,17 @@ struct FrameViews {
 /// Puts disparity (or depth), camera and images together, in whatever order they arrive, for nodelets and tools alike.
 ///
 /// CameraInfos hardly change: the one of the frame's stamp serves, and else the newest; a frame that is complete before the
-/// first one is left out. A disparity waits for its images as long as images come in at all, at most until the next one.
+/// first one is left out. A disparity waits for its images if images come in or are expected, at most until the next one.
+/// A pair of images belongs to one disparity at most, so that stamps may come again when time is set back.
 class FrameAssembler {
  public:
   using Callback = std::function<void(const FrameMessages&)>;
+  using LeftOut = std::function<void(const std::string& why)>;
 
-  /// `topics` are named in errors. `complete` (may be empty) is called for every frame, from within the functions below.
-  FrameAssembler(const FrameInputConfig& config, const SyncConfig& sync, const FrameTopics& topics, Callback complete);
+  /// `topics` are named in errors. `complete` (may be empty) is called for every frame, from within the functions below, and
+  /// `left_out` (may be empty) with the reason in words for every other one.
+  FrameAssembler(const FrameInputConfig& config, const SyncConfig& sync, const FrameTopics& topics, Callback complete,
+                 LeftOut left_out = {});
 
   void addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity);
   void addDepth(const sensor_msgs::ImageConstPtr& depth);
@@ -62,7 +66,7 @@ class FrameAssembler {
   void addInfo(const sensor_msgs::CameraInfoConstPtr& info) { infos_.add(info); }
   void addRightInfo(const sensor_msgs::CameraInfoConstPtr& info) { right_infos_.add(info); }
 
-  /// Images will come, so that the first disparity waits for them too.
+  /// Images will come: disparities wait for them also before the first has come. May be called at any time.
   void expectImages() { left_comes_ = right_comes_ = true; }
 
   /// Nothing more will come for the frame that still waits.
@@ -89,15 +93,17 @@ class FrameAssembler {
   void add(FrameMessages frame);
   void addImage(Side side, const sensor_msgs::ImageConstPtr& image);
   bool imagesMayStillCome() const;
-  std::optional<ImagePairs::Pair> imagesOf(const ros::Time& stamp) const;
+  std::deque<ImagePairs::Pair>::const_reverse_iterator pairOf(const ros::Time& stamp) const;
+  void takeImages(FrameMessages* frame);
   core::DepthFrame depthFrame(const FrameMessages& messages, const cv::Mat& depth) const;
 
   const FrameInputConfig config_;
   const FrameTopics topics_;
   const Callback complete_;
+  const LeftOut left_out_;
   RecentMessages<sensor_msgs::CameraInfo> infos_{kDepth}, right_infos_{kDepth};
   ImagePairs pair_matcher_;
-  std::deque<ImagePairs::Pair> pairs_;
+  std::deque<ImagePairs::Pair> pairs_;  ///< in the order of arrival, without those that a frame took
   bool left_comes_ = false, right_comes_ = false;
   std::optional<FrameMessages> waiting_;  ///< the newest frame, while its images are missing
   std::deque<FrameMessages> frames_;      ///< complete
