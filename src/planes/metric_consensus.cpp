@@ -56,7 +56,8 @@ std::vector<Plane> MetricConsensus::process(const DepthFrame& frame) const {
   const auto cloud = stridedPoints(frame, config_.stride);
   const pcl::SampleConsensusModelPlane<Point>::Ptr model(new SeededPlane(cloud, config_.seed));
   std::vector<int> left = *model->getIndices();
-  while (static_cast<int>(planes.size()) < config_.max_planes && static_cast<int>(left.size()) >= config_.min_inliers) {
+  const auto suffice = [&](const std::vector<int>& points) { return static_cast<int>(points.size()) >= config_.min_inliers; };
+  while (static_cast<int>(planes.size()) < config_.max_planes && suffice(left)) {
     pcl::RandomSampleConsensus<Point> ransac(model, config_.plane_distance);
     ransac.setMaxIterations(config_.hypotheses);
     ransac.setProbability(config_.confidence);
@@ -65,9 +66,10 @@ std::vector<Plane> MetricConsensus::process(const DepthFrame& frame) const {
     std::vector<int> inliers, rest;
     ransac.getModelCoefficients(found);
     ransac.getInliers(inliers);
+    if (!suffice(inliers)) break;  // PCL complains about so few, too
     model->optimizeModelCoefficients(inliers, found, found);
     model->selectWithinDistance(found, config_.plane_distance, inliers);
-    if (static_cast<int>(inliers.size()) < config_.min_inliers) break;
+    if (!suffice(inliers)) break;
     planes.push_back(towardsCamera(found));
     std::set_difference(left.begin(), left.end(), inliers.begin(), inliers.end(), std::back_inserter(rest));
     left.swap(rest);
