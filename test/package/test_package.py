@@ -21,7 +21,7 @@ LAYERS = {
     'tracking': {'config', 'geometry', 'rectangles'},
     'articulation': {'config', 'geometry', 'rectangles', 'tracking'},
     'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
-    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation'},
+    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
 ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'
