@@ -142,7 +142,8 @@ ConfigValues readYamlFile(const std::string& path) {
     if (!root.IsMap()) throw ConfigError(path + ": expected 'setting: value' lines");
     for (const auto& entry : root) {
       if (!entry.second.IsScalar())
-        throw ConfigError(path + ": setting '" + entry.first.Scalar() + "' is not a single value, expected a number, true, false or a text");
+        throw ConfigError(path + ": setting '" + entry.first.Scalar() +
+                          "' is not a single value, expected a number, true, false or a text");
       values[entry.first.Scalar()] = detail::scalar(entry.second);
     }
   } catch (const YAML::Exception& error) {

@@ -62,7 +62,8 @@ class RectanglesStage : public StageNodelet {
       arrived_ = stamp;
       add(planes);
     });
-    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", [this](const auto& expected) { expected_.put(expected); });
+    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts",
+                                                  [this](const auto& expected) { expected_.put(expected); });
   }
 
   void unsubscribe() override {
@@ -90,8 +91,8 @@ class RectanglesStage : public StageNodelet {
     const bool set_back = clock_jump_(header.stamp);
     if (newest && !set_back && header.stamp <= *newest) {
       std::ostringstream text;
-      text << planes_topic_.topic() << ": the stamp " << header.stamp << " is not newer than that of the frame before, " << *newest
-           << "; the frame is skipped";
+      text << planes_topic_.topic() << ": the stamp " << header.stamp << " is not newer than that of the frame before, "
+           << *newest << "; the frame is skipped";
       return trouble("order", text.str());
     }
     // Nobody answers for a frame of an earlier session, or of a time that is not over yet.

@@ -16,8 +16,8 @@ namespace {
 /// Lists that hold `count` values for each pose of a track; an optional list may also be empty.
 void requireLength(const std::string& name, size_t length, size_t poses, size_t count, bool optional) {
   if (length == poses * count || (optional && length == 0)) return;
-  throw std::invalid_argument(name + " has " + std::to_string(length) + " elements, expected " +
-                              std::to_string(poses * count) + " for " + std::to_string(poses) + " poses");
+  throw std::invalid_argument(name + " has " + std::to_string(length) + " elements, expected " + std::to_string(poses * count) +
+                              " for " + std::to_string(poses) + " poses");
 }
 
 struct UncertainRectangle {

@@ -52,8 +52,8 @@ std::string sizeText(const Message& message) {
 }
 
 /// What is wrong, in words; empty if the four are of one size.
-std::string sizeTrouble(const sensor_msgs::Image& left, const sensor_msgs::Image& right,
-                        const sensor_msgs::CameraInfo& left_info, const sensor_msgs::CameraInfo& right_info) {
+std::string sizeTrouble(const sensor_msgs::Image& left, const sensor_msgs::Image& right, const sensor_msgs::CameraInfo& left_info,
+                        const sensor_msgs::CameraInfo& right_info) {
   const std::string size = sizeText(left);
   if (sizeText(right) == size && sizeText(left_info) == size && sizeText(right_info) == size) return "";
   return "at " + std::to_string(left.header.stamp.toSec()) + " images " + size + " and " + sizeText(right) + ", CameraInfos " +

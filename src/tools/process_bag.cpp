@@ -109,9 +109,9 @@ class Run {
     }
     header_ = header;
     const double stamp = header.stamp.toSec();
-    const core::PipelineResult result =
-        frame.disparity.empty() ? pipeline_.process(stamp, frame.left, frame.right, frame.camera, T_fixed_camera)
-                                : pipeline_.process(stamp, frame, T_fixed_camera);
+    const core::PipelineResult result = frame.disparity.empty()
+                                            ? pipeline_.process(stamp, frame.left, frame.right, frame.camera, T_fixed_camera)
+                                            : pipeline_.process(stamp, frame, T_fixed_camera);
     summary_.add(result);
     if (!output_) output_.emplace(options_.output);
     const RectangleArray rectangles = options_.camera_rectangles

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cabinet_articulation/RectangleArray.h>
-#include <rosbag/bag.h>
 #include <ros/time.h>
+#include <rosbag/bag.h>
 #include <std_msgs/Header.h>
 
 #include <string>

@@ -17,8 +17,7 @@ namespace {
 
 class SceneBag {
  public:
-  explicit SceneBag(const SceneBagConfig& config)
-      : config_(config), camera_(config.simulation), matcher_(core::StereoConfig()) {
+  explicit SceneBag(const SceneBagConfig& config) : config_(config), camera_(config.simulation), matcher_(core::StereoConfig()) {
     header_.frame_id = config.optical_frame;
   }
 

@@ -14,8 +14,7 @@ Rectangle ExpectedFront::at(double when, double horizon) const {
   Rectangle predicted = rectangle;
   predicted.pose.translation() += ahead * velocity;
   const double speed = angular_velocity.norm();
-  if (speed > 0)
-    predicted.pose.linear() = Eigen::AngleAxisd(ahead * speed, angular_velocity / speed) * rectangle.pose.linear();
+  if (speed > 0) predicted.pose.linear() = Eigen::AngleAxisd(ahead * speed, angular_velocity / speed) * rectangle.pose.linear();
   return predicted;
 }
 

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using test::Recorder;
 using test::spinUntil;
 
-constexpr double kRate = 15;            // [Hz]
+constexpr double kRate = 15;             // [Hz]
 constexpr int kRest = 15, kFrames = 75;  // of one opening and closing
 
 class KnownFrontsChain : public testing::Test {

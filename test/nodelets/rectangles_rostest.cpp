@@ -121,9 +121,9 @@ TEST_F(RectanglesNodeletBesideATracker, WaitsNoLongerThanAFrameAndSaysSo) {
   const Timing timing = frame();
   EXPECT_TRUE(timing.incomplete);
   EXPECT_GE(timing.waited, 100) << "frames come every 0.1 s by their stamps";
-  EXPECT_TRUE(spinUntil(
-      [&] { return reports_.statusHas("rectangles", "the tracks after the frame before did not come within a frame's time, 100 ms"); }))
-      << reports_.status("rectangles");
+  EXPECT_TRUE(spinUntil([&] {
+    return reports_.statusHas("rectangles", "the tracks after the frame before did not come within a frame's time, 100 ms");
+  })) << reports_.status("rectangles");
 }
 
 TEST_F(RectanglesNodeletBesideATracker, FramesThatAreDroppedMakeNoWaitLonger) {

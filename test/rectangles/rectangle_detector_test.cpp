@@ -97,8 +97,9 @@ TEST_F(RectangleDetectorTest, TwoFrontsInOnePlaneAreFoundFromTheirOwnRegions) {
 TEST_F(RectangleDetectorTest, OneSurfaceSegmentedTwiceIsReportedOnce) {
   const Rectangle front = exampleFront({0, 0, 1.3}, 0.3, 0.3, 0.3, 0, 0);
   const Rectangle tilted = exampleFront({0, 0, 1.305}, 0.3, 0.28, 0.33, 0, 0);
-  const auto found = RectangleDetector(config_, planes_).process(
-      frame_, {finishRegion(frontRegion(tilted, frame_.camera)), finishRegion(frontRegion(front, frame_.camera))});
+  const auto found =
+      RectangleDetector(config_, planes_)
+          .process(frame_, {finishRegion(frontRegion(tilted, frame_.camera)), finishRegion(frontRegion(front, frame_.camera))});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].region, 1);
 }

@@ -42,11 +42,11 @@ struct LearnedModel {
   double pitch = 0;  ///< [m/rad]
   double radius = 0;
   double q = 0, q_min = 0, q_max = 0;
-  bool q_min_is_end = false, q_max_is_end = false;  ///< false: merely reached
+  bool q_min_is_end = false, q_max_is_end = false;             ///< false: merely reached
   double q_closed = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown, as `opening`
   bool closed_known = false;
   double opening = std::numeric_limits<double>::quiet_NaN();  ///< 0 closed, 1 widest seen or end
-  std::vector<Eigen::Isometry3d> curve;             ///< nonparametric: the front's centre at equal steps of q from q_min to q_max
+  std::vector<Eigen::Isometry3d> curve;  ///< nonparametric: the front's centre at equal steps of q from q_min to q_max
   double width = 0, height = 0;
   Matrix6d covariance = Matrix6d::Zero();  ///< as ArticulationModel.covariance
   double position_error = 0, orientation_error = 0;
