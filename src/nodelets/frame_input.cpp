@@ -43,6 +43,7 @@ void FrameInput::subscribe(const FrameAssembler::Callback& complete, const Frame
 
 void FrameInput::addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity) {
   if (left_topic_.publishers() > 0 && right_topic_.publishers() > 0) assembler_.expectImages();
+  if (right_info_topic_.publishers() > 0) assembler_.expectRightInfo();
   assembler_.addDisparity(disparity);
 }
 

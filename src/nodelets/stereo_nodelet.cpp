@@ -37,9 +37,10 @@ class StereoStage : public StageNodelet {
 
   void subscribe() override {
     ros::NodeHandle& nh = getNodeHandle();
-    left_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "left/camera_info", [this](const auto& info) { left_info_ = info; });
+    left_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "left/camera_info",
+                                                        [this](const auto& info) { addInfo(info, &left_info_); });
     right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "right/camera_info",
-                                                         [this](const auto& info) { right_info_ = info; });
+                                                         [this](const auto& info) { addInfo(info, &right_info_); });
     left_.subscribe<sensor_msgs::Image>(nh, "left/image_rect", [this](const auto& image) { add(Side::kLeft, image); });
     right_.subscribe<sensor_msgs::Image>(nh, "right/image_rect", [this](const auto& image) { add(Side::kRight, image); });
   }
@@ -49,23 +50,38 @@ class StereoStage : public StageNodelet {
     if (pairs_) pairs_->clear();
     left_info_.reset();
     right_info_.reset();
+    early_pair_.reset();
   }
 
   void add(Side side, const sensor_msgs::ImageConstPtr& image) {
-    const std::optional<Pair> pair = pairs_->add(side, image);
-    if (pair && left_info_ && right_info_) {
-      workOnNewest([this, input = Input{*pair, left_info_, right_info_}] { process(input); });
-    } else if (pair) {
-      health().note("pairs before the first CameraInfo", ++left_out_);
-      const WatchedSubscriber& missing = left_info_ ? right_info_topic_ : left_info_topic_;
-      trouble("no camera", missing.topic() + ": no CameraInfo yet; until the first one, " + left_.topic() + " and " +
-                               right_.topic() + " are not used");
+    if (const std::optional<Pair> pair = pairs_->add(side, image)) {
+      if (early_pair_) leftOut();
+      early_pair_ = pair;
+      workIfComplete();
     } else if (const std::optional<double> difference = pairs_->mismatch()) {
       trouble("stamps",
               left_.topic() + " and " + right_.topic() + ": left and right stamps differ by " +
                   std::to_string(std::lround(1e3 * *difference)) +
                   " ms, expected pairs; if the cameras have no common trigger, set approximate_sync and sync_tolerance");
     }
+  }
+
+  void addInfo(const sensor_msgs::CameraInfoConstPtr& info, sensor_msgs::CameraInfoConstPtr* newest) {
+    *newest = info;
+    workIfComplete();
+  }
+
+  void workIfComplete() {
+    if (!early_pair_ || !left_info_ || !right_info_) return;
+    workOnNewest([this, input = Input{*early_pair_, left_info_, right_info_}] { process(input); });
+    early_pair_.reset();
+  }
+
+  void leftOut() {
+    health().note("pairs before the first CameraInfo", ++left_out_);
+    const WatchedSubscriber& missing = left_info_ ? right_info_topic_ : left_info_topic_;
+    trouble("no camera", missing.topic() + ": no CameraInfo yet; until the first one, " + left_.topic() + " and " +
+                             right_.topic() + " are not used");
   }
 
   void process(const Input& input) {
@@ -86,6 +102,7 @@ class StereoStage : public StageNodelet {
   std::unique_ptr<core::BlockMatcher> matcher_;
   std::unique_ptr<PairMatcher<sensor_msgs::Image>> pairs_;
   sensor_msgs::CameraInfoConstPtr left_info_, right_info_;
+  std::optional<Pair> early_pair_;  ///< the CameraInfos are not known yet
   int left_out_ = 0;
   ros::Publisher disparity_;
   WatchedSubscriber left_, right_, left_info_topic_, right_info_topic_;

@@ -50,19 +50,37 @@ void FrameAssembler::addDepth(const sensor_msgs::ImageConstPtr& depth) {
 }
 
 void FrameAssembler::add(FrameMessages frame) {
-  flush();  // the images of the one before never came
+  flush();  // what the one before waited for never came
   waiting_ = std::move(frame);
-  if (!imagesMayStillCome()) flush();
+  flushIfComplete();
+}
+
+void FrameAssembler::addInfo(const sensor_msgs::CameraInfoConstPtr& info) {
+  infos_.add(info);
+  flushIfComplete();
+}
+
+void FrameAssembler::addRightInfo(const sensor_msgs::CameraInfoConstPtr& info) {
+  right_infos_.add(info);
+  flushIfComplete();
 }
 
 void FrameAssembler::addImage(Side side, const sensor_msgs::ImageConstPtr& image) {
   (side == Side::kLeft ? left_comes_ : right_comes_) = true;
   if (const auto pair = pair_matcher_.add(side, image)) addBounded(*pair, kDepth, &pairs_);
-  if (waiting_ && !imagesMayStillCome()) flush();
+  flushIfComplete();
+}
+
+void FrameAssembler::flushIfComplete() {
+  if (waiting_ && !imagesMayStillCome() && !infosMayStillCome()) flush();
 }
 
 bool FrameAssembler::imagesMayStillCome() const {
   return waiting_->disparity && left_comes_ && right_comes_ && pairOf(waiting_->header().stamp) == pairs_.rend();
+}
+
+bool FrameAssembler::infosMayStillCome() const {
+  return !infos_.newest() || (waiting_->disparity && right_info_comes_ && !right_infos_.newest());
 }
 
 std::deque<FrameAssembler::ImagePairs::Pair>::const_reverse_iterator FrameAssembler::pairOf(const ros::Time& stamp) const {
@@ -102,7 +120,7 @@ void FrameAssembler::clear() {
   pair_matcher_.clear();
   pairs_.clear();
   frames_.clear();
-  left_comes_ = right_comes_ = false;
+  left_comes_ = right_comes_ = right_info_comes_ = false;
 }
 
 std::optional<FrameMessages> FrameAssembler::find(const ros::Time& stamp) const {

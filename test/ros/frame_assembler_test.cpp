@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <random>
 #include <vector>
@@ -59,11 +60,11 @@ class Assembler : public testing::Test {
 TEST_F(Assembler, DepthIsCompleteWithItsCamera) {
   FrameAssembler assembler = make("depth");
   assembler.addDepth(depthAt(1));
-  EXPECT_TRUE(frames_.empty()) << "nobody knows the camera";
-  assembler.addInfo(infoAt(2));
   const auto depth = depthAt(2);
   assembler.addDepth(depth);
-  ASSERT_EQ(frames_.size(), 1u);
+  EXPECT_TRUE(frames_.empty()) << "nobody knows the camera";
+  assembler.addInfo(infoAt(2));
+  ASSERT_EQ(frames_.size(), 1u) << "its camera came late";
   EXPECT_EQ(frames_[0].depth, depth);
   EXPECT_EQ(frames_[0].header().stamp, ros::Time(2));
   const FrameViews views = assembler.view(frames_[0]);
@@ -81,6 +82,21 @@ TEST_F(Assembler, TakesTheCameraInfoOfTheFramesStampElseTheNewest) {
   ASSERT_EQ(frames_.size(), 2u);
   EXPECT_EQ(frames_[0].info, own);
   EXPECT_EQ(frames_[1].info, newest);
+}
+
+TEST_F(Assembler, TheFirstDisparityHasTheCamerasThatAreExpected) {
+  FrameAssembler assembler = make("disparity");
+  assembler.expectRightInfo();
+  const auto left = infoAt(1), right = infoAt(1, true);
+  assembler.addDisparity(disparityAt(1));
+  assembler.addInfo(left);
+  EXPECT_TRUE(frames_.empty());
+  assembler.addRightInfo(right);
+  ASSERT_EQ(frames_.size(), 1u);
+  EXPECT_EQ(frames_[0].info, left);
+  EXPECT_EQ(frames_[0].right_info, right);
+  assembler.addDisparity(disparityAt(2));
+  EXPECT_EQ(frames_.size(), 2u) << "cameras hardly change";
 }
 
 TEST_F(Assembler, ADisparityWithoutAnyImagesDoesNotWait) {
@@ -134,9 +150,12 @@ TEST_F(Assembler, SaysWhichFramesItLeavesOutForWantOfACamera) {
   disparity.addDisparity(disparityAt(1));
   disparity.addRightInfo(infoAt(1, true));
   disparity.addDisparity(disparityAt(2));
+  disparity.flush();
+  depth.flush();
   EXPECT_TRUE(frames_.empty());
   const std::string of_disparity =
       "/stereo/left/camera_info: no CameraInfo yet; until the first one, /stereo/disparity is not used";
+  std::sort(left_out_.begin(), left_out_.end());
   EXPECT_EQ(left_out_, (std::vector<std::string>{
                            "/stereo/depth/camera_info: no CameraInfo yet; until the first one, /stereo/depth/image is not used",
                            of_disparity, of_disparity}));

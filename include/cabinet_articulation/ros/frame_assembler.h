@@ -46,8 +46,9 @@ struct FrameViews {
 
 /// Puts disparity (or depth), camera and images together, in whatever order they arrive, for nodelets and tools alike.
 ///
-/// CameraInfos hardly change: the one of the frame's stamp serves, and else the newest; a frame that is complete before the
-/// first one is left out. A disparity waits for its images if images come in or are expected, at most until the next one.
+/// CameraInfos hardly change: the one of the frame's stamp serves, and else the newest. A frame waits for what is missing, at
+/// most until the next one: for the first CameraInfo, without which it is left out, and a disparity for its images and the first
+/// right CameraInfo if these come in or are expected.
 /// A pair of images belongs to one disparity at most, so that stamps may come again when time is set back.
 class FrameAssembler {
  public:
@@ -63,11 +64,14 @@ class FrameAssembler {
   void addDepth(const sensor_msgs::ImageConstPtr& depth);
   void addLeft(const sensor_msgs::ImageConstPtr& image) { addImage(Side::kLeft, image); }
   void addRight(const sensor_msgs::ImageConstPtr& image) { addImage(Side::kRight, image); }
-  void addInfo(const sensor_msgs::CameraInfoConstPtr& info) { infos_.add(info); }
-  void addRightInfo(const sensor_msgs::CameraInfoConstPtr& info) { right_infos_.add(info); }
+  void addInfo(const sensor_msgs::CameraInfoConstPtr& info);
+  void addRightInfo(const sensor_msgs::CameraInfoConstPtr& info);
 
   /// Images will come: disparities wait for them also before the first has come. May be called at any time.
   void expectImages() { left_comes_ = right_comes_ = true; }
+
+  /// The same for the first right CameraInfo.
+  void expectRightInfo() { right_info_comes_ = true; }
 
   /// Nothing more will come for the frame that still waits.
   void flush();
@@ -92,7 +96,9 @@ class FrameAssembler {
 
   void add(FrameMessages frame);
   void addImage(Side side, const sensor_msgs::ImageConstPtr& image);
+  void flushIfComplete();
   bool imagesMayStillCome() const;
+  bool infosMayStillCome() const;
   std::deque<ImagePairs::Pair>::const_reverse_iterator pairOf(const ros::Time& stamp) const;
   void takeImages(FrameMessages* frame);
   core::DepthFrame depthFrame(const FrameMessages& messages, const cv::Mat& depth) const;
@@ -104,8 +110,8 @@ class FrameAssembler {
   RecentMessages<sensor_msgs::CameraInfo> infos_{kDepth}, right_infos_{kDepth};
   ImagePairs pair_matcher_;
   std::deque<ImagePairs::Pair> pairs_;  ///< in the order of arrival, without those that a frame took
-  bool left_comes_ = false, right_comes_ = false;
-  std::optional<FrameMessages> waiting_;  ///< the newest frame, while its images are missing
+  bool left_comes_ = false, right_comes_ = false, right_info_comes_ = false;
+  std::optional<FrameMessages> waiting_;  ///< the newest frame, while something is missing
   std::deque<FrameMessages> frames_;      ///< complete
 };
 
