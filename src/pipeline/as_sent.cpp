@@ -13,16 +13,12 @@ std::vector<DetectedRectangle> asSent(std::vector<DetectedRectangle> rectangles)
 }
 
 ExpectedFronts asSent(ExpectedFronts expected) {
-  for (ExpectedFront& front : expected.fronts) {
-    front.stamp = asSent(front.stamp);
-    front.rectangle.pose = asSent(front.rectangle.pose);
-  }
+  for (ExpectedFront& front : expected.fronts) front.rectangle.pose = asSent(front.rectangle.pose);
   return expected;
 }
 
 Track asSent(Track track) {
   for (TrackedObservation& observation : track.observations) {
-    observation.stamp = asSent(observation.stamp);
     observation.rectangle.pose = asSent(observation.rectangle.pose);
     observation.measured.pose = asSent(observation.measured.pose);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cabinet_articulation/geometry/message_precision.h"
 #include "cabinet_articulation/tracking/history.h"
 #include "cabinet_articulation/tracking/motion_gate.h"
 
@@ -26,8 +27,11 @@ void placeBefore(std::vector<TrackedObservation>& history, double stamp, double 
   const double start = std::min(0.0, stamp);
   const double end = stamp > 0 ? std::max(stamp - gap, stamp / 2) : stamp;
   const double scale = last > first ? std::min(1.0, (end - start) / (last - first)) : 1;
-  for (TrackedObservation& observation : history)
-    observation.stamp = std::max(start, end - (last - observation.stamp) * scale);
+  for (TrackedObservation& observation : history) {
+    const double moved = std::max(start, end - (last - observation.stamp) * scale);
+    // A time that a message holds to the bit.
+    observation.stamp = moved > 0 ? asSent(moved) : moved;
+  }
 }
 
 void EndedTracks::keep(Track track, TrackMemory memory) {

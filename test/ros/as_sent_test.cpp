@@ -40,7 +40,7 @@ class AsSent : public testing::Test {
   /// Times of today that came from a message.
   double stampOfToday() { return ros::Time(1795000000 + random_() % 1000, random_() % 1000000000).toSec(); }
 
-  std::uniform_real_distribution<double> seconds_{0, 2e9};  ///< also such as no message ever had
+  std::uniform_real_distribution<double> seconds_{0, 2e9};
   std_msgs::Header header_;
   std::mt19937 random_{1};
   std::uniform_real_distribution<double> number_{-1, 1};
@@ -57,6 +57,8 @@ TEST_F(AsSent, TimesAreWhatMessagesDeliver) {
   for (int i = 0; i < kSamples; ++i)
     for (const double stamp : {seconds_(random_), std::pow(10, exponent(random_)), stampOfToday(), -seconds_(random_)})
       EXPECT_EQ(core::asSent(stamp), toStamp(stamp).toSec()) << stamp;
+  const double today = stampOfToday();
+  EXPECT_EQ(core::asSent(today), today) << "what came from a message stays";
 }
 
 TEST_F(AsSent, RectanglesAreWhatMessagesDeliver) {
@@ -88,7 +90,7 @@ TEST_F(AsSent, ExpectedFrontsAreWhatMessagesDeliver) {
   expected.horizon = 0.3;
   expected.fronts.resize(kSamples);
   for (core::ExpectedFront& front : expected.fronts) {
-    front.stamp = seconds_(random_);
+    front.stamp = stampOfToday();
     front.rectangle = rectangle();
     front.velocity = rectangle().center();
     front.angular_velocity = rectangle().center();
@@ -115,7 +117,7 @@ TEST_F(AsSent, TrackUpdatesAreWhatMessagesDeliver) {
     update.track.height = number_(random_);
     update.track.observations.resize(kSamples);
     for (core::TrackedObservation& observation : update.track.observations)
-      observation = {seconds_(random_), rectangle(), covariance(), {0.1F, 0.7F, 1, 0}, rectangle(), covariance()};
+      observation = {stampOfToday(), rectangle(), covariance(), {0.1F, 0.7F, 1, 0}, rectangle(), covariance()};
   }
   const auto sent = core::asSent(updates), delivered = fromMessage(toMessage(updates, header_));
   ASSERT_EQ(delivered.size(), sent.size());

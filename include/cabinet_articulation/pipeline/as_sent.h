@@ -11,7 +11,7 @@ namespace cabinet_articulation::core {
 
 /*
  * What goes from stage to stage, as it arrives in the nodelets' messages: the same to the bit, which a test of the messages
- * proves. See geometry/message_precision.h.
+ * proves, for times that came from messages. See geometry/message_precision.h.
  */
 
 std::vector<DetectedRectangle> asSent(std::vector<DetectedRectangle> rectangles);
