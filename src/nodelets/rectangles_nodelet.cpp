@@ -29,7 +29,7 @@ class RectanglesStage : public StageNodelet {
     FrameMessages frame;
     PlaneArrayConstPtr planes;
     double period;  ///< [s] since the frame before came
-    int session;
+    int subscription;
   };
 
   void start() override {
@@ -73,7 +73,7 @@ class RectanglesStage : public StageNodelet {
     expected_.clear();
     early_planes_.reset();
     arrived_ = ros::Time();
-    ++session_;
+    ++subscription_;
   }
 
   void interrupt() override { expected_.interrupt(); }
@@ -82,7 +82,7 @@ class RectanglesStage : public StageNodelet {
     const std::optional<FrameMessages> frame = frames_->find(planes->header.stamp);
     if (early_planes_ && early_planes_ != planes) health().dropped();
     early_planes_ = frame ? nullptr : planes;
-    if (frame) workOnNewest([this, input = Input{*frame, planes, period_, session_}] { process(input); });
+    if (frame) workOnNewest([this, input = Input{*frame, planes, period_, subscription_}] { process(input); });
   }
 
   void process(const Input& input) {
@@ -95,9 +95,9 @@ class RectanglesStage : public StageNodelet {
            << *newest << "; the frame is skipped";
       return trouble("order", text.str());
     }
-    // Nobody answers for a frame of an earlier session, or of a time that is not over yet.
-    if (set_back || input.session != worked_on_session_) worked_on_ = ros::Time();
-    worked_on_session_ = input.session;
+    // Nobody answers for a frame of an earlier subscription, or of a time that is not over yet.
+    if (set_back || input.subscription != worked_on_subscription_) worked_on_ = ros::Time();
+    worked_on_subscription_ = input.subscription;
     StageWait wait;
     const std::vector<core::Rectangle> expected = expectedIn(header, input.period, &wait);
     const auto work = [&] {
@@ -154,11 +154,11 @@ class RectanglesStage : public StageNodelet {
   PlaneArrayConstPtr early_planes_;  ///< their frame is not complete yet
   ros::Time arrived_;                ///< stamp of the newest planes
   double period_ = 0;                ///< [s] between these and the ones before, worked on or not
-  int session_ = 0;                  ///< counts how often somebody began to listen
+  int subscription_ = 0;             ///< counts how often somebody began to listen
   // Of the worker.
   ClockJump clock_jump_;
-  ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published; zero: none in this session
-  int worked_on_session_ = 0;
+  ros::Time worked_on_;  ///< stamp of the last frame whose rectangles were published; zero: none in this subscription
+  int worked_on_subscription_ = 0;
   ros::Publisher rectangles_;
   std::unique_ptr<FrameInput> frames_;
   WatchedSubscriber planes_topic_, expected_topic_;

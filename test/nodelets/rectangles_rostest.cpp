@@ -143,7 +143,7 @@ TEST_F(RectanglesNodeletBesideATracker, FramesThatAreDroppedMakeNoWaitLonger) {
   EXPECT_GE(waits, 3);
 }
 
-TEST_F(RectanglesNodeletBesideATracker, ANewSessionWaitsForNoFrameOfTheLast) {
+TEST_F(RectanglesNodeletBesideATracker, ANewSubscriptionWaitsForNoFrameOfTheLast) {
   frame();
   rectangles_.reset();
   ASSERT_TRUE(spinUntil([&] { return reports_.statusHas("rectangles", "idle") && expected_.getNumSubscribers() == 0; }));
