@@ -161,7 +161,7 @@ class ArticulationStage : public StageNodelet {
   ros::Time last_transforms_;
   std::string prefix_;
   ClockJump clock_jump_;
-  static constexpr std::size_t kMostWaiting = 32;  ///< [frames] 2 s at 15 Hz; what is older is lost, as for a late subscriber
+  static constexpr std::size_t kMostWaiting = 32;  ///< [frames] ours: 2 s at 15 Hz; what is older is lost
   std::mutex waiting_mutex_;                       ///< guards waiting_
   std::deque<TrackArrayConstPtr> waiting_;
   ros::Publisher models_, joint_states_;

@@ -144,7 +144,7 @@ class RectanglesStage : public StageNodelet {
     }
   }
 
-  static constexpr double kLongestWait = 1;  ///< [s] for cameras that are slower
+  static constexpr double kLongestWait = 1;  ///< [s] for cameras that are slower (ours)
 
   std::unique_ptr<core::RectangleDetector> detector_;
   std::atomic<bool> use_tracks_{true};  ///< of the settings, which may change while a frame waits

@@ -27,8 +27,8 @@ PlanesConfig paperPlanes() {
   return config;
 }
 
-/// III-B.2. Not expressed: we also start from the plane's outline, move the whole rectangle too, and keep one rectangle per
-/// plane, the one with the largest g, where the paper accepts each start on its own.
+/// III-B.2. Not expressed: we also start from the plane's outline and move the whole rectangle. We keep one rectangle per plane,
+/// that with the largest g; the paper accepts each start on its own.
 RectanglesConfig paperRectangles() {
   RectanglesConfig config;
   config.objective = "paper";  // Eq. (3), in the form of the library, which is never 0 for a good rectangle

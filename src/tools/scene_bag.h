@@ -25,8 +25,8 @@ struct SceneBagConfig {
 
 /// Writes the images of all inputs with their CameraInfos, /tf, and <camera>/truth (SceneTruth). Returns the number of frames.
 /// Record times grow throughout, stamps begin anew with each round. Throws std::invalid_argument for an unknown input or a
-/// first frame after the end of the motion, core::ConfigError for a setting of the simulation out of range, std::runtime_error
-/// in words where the file cannot be written.
+/// first frame after the end of the motion. A setting of the simulation out of range is a core::ConfigError, and a file that
+/// cannot be written a std::runtime_error in words.
 int writeSceneBag(const std::string& path, const SceneBagConfig& config);
 
 }  // namespace cabinet_articulation

@@ -5,8 +5,8 @@
 
 namespace cabinet_articulation::core {
 namespace {
-constexpr double kVelocityBase = 0.1;  ///< [s] long enough that noise of millimetres gives centimetres a second
-constexpr double kLongestBase = 0.5;   ///< [s] an older observation says nothing about the velocity now
+constexpr double kVelocityBase = 0.1;  ///< [s] ours: noise of millimetres gives centimetres a second
+constexpr double kLongestBase = 0.5;   ///< [s] ours: an older observation says nothing about the velocity now
 }  // namespace
 
 Rectangle ExpectedFront::at(double when, double horizon) const {

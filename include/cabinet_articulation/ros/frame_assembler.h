@@ -89,7 +89,7 @@ class FrameAssembler {
   const FrameTopics& topics() const { return topics_; }
 
  private:
-  // A stage may lag behind its input by this many frames before it misses one (1 s at 15 Hz).
+  // A stage may lag behind its input by this many frames before it misses one (ours: 1 s at 15 Hz).
   static constexpr size_t kDepth = 16;
 
   using ImagePairs = PairMatcher<sensor_msgs::Image>;

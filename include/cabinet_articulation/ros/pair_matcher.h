@@ -15,8 +15,8 @@ namespace cabinet_articulation {
 
 enum class Side { kLeft, kRight };
 
-/// Pairs the messages of two topics by their stamps. As long as the stamps of each topic grow, the pairs do not depend on how
-/// the two topics interleave, so that everyone who hears both comes to the same pairs.
+/// Pairs the messages of two topics by their stamps. While the stamps of each topic grow, the pairs do not depend on how the two
+/// interleave. So everyone who hears both comes to the same pairs.
 ///
 /// A message belongs to one pair at most. What arrived before the messages of a pair is given up: it would find a partner only
 /// where messages overtake each other. Order is that of arrival, so that a clock that was set back hides nothing.
@@ -75,8 +75,8 @@ class PairMatcher {
   }
 
  private:
-  static constexpr size_t kDepth = 30;  ///< messages of one side that wait while the other side is silent (1 to 2 s of images)
-  static constexpr size_t kPatience = 4;
+  static constexpr size_t kDepth = 30;    ///< messages that wait while the other side is silent (ours: 1 to 2 s of images)
+  static constexpr size_t kPatience = 4;  ///< messages of each side; fewer may wait because one side is late (ours)
 
   static double difference(const Message& a, const Message& b) {
     return std::abs(secondsBetween(a.header.stamp, b.header.stamp));

@@ -16,8 +16,8 @@ struct TrackUpdate {
 };
 
 /// What of the tracks goes out after each frame, so that a frame costs the same however long its tracks are: what is new. A
-/// track goes out as a whole when it is new, when earlier observations were placed anew or thinned out, and every few
-/// seconds, for those who missed something.
+/// track goes out as a whole when it is new and when earlier observations were placed anew or thinned out. Every few seconds it
+/// does so, too, for those who missed something.
 class TrackUpdates {
  public:
   static constexpr double kWholePeriod = 5;  ///< [s] by the stamps; at most one track of a frame is due (ours)
