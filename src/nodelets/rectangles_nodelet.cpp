@@ -87,16 +87,15 @@ class RectanglesStage : public StageNodelet {
 
   void process(const Input& input) {
     const std_msgs::Header& header = input.planes->header;
-    const std::optional<ros::Time> newest = clock_jump_.newest();
-    const bool set_back = clock_jump_(header.stamp);
-    if (newest && !set_back && header.stamp <= *newest) {
+    const FrameOrder order = clock_jump_.orderOf(header.stamp);
+    if (order == FrameOrder::kNotNewer) {
       std::ostringstream text;
       text << planes_topic_.topic() << ": the stamp " << header.stamp << " is not newer than that of the frame before, "
-           << *newest << "; the frame is skipped";
+           << *clock_jump_.newest() << "; the frame is skipped";
       return trouble("order", text.str());
     }
     // Nobody answers for a frame of an earlier subscription, or of a time that is not over yet.
-    if (set_back || input.subscription != worked_on_subscription_) worked_on_ = ros::Time();
+    if (order == FrameOrder::kSetBack || input.subscription != worked_on_subscription_) worked_on_ = ros::Time();
     worked_on_subscription_ = input.subscription;
     StageWait wait;
     const std::vector<core::Rectangle> expected = expectedIn(header, input.period, &wait);

@@ -123,7 +123,8 @@ class Run {
   /// True for a frame that may be processed: newer than the last one, or after a clock that jumped back (a bag in a loop).
   bool isNewer(const ros::Time& stamp) {
     const std::optional<ros::Time> newest = clock_jump_.newest();
-    if (!clock_jump_(stamp)) return !newest || stamp > *newest;
+    const FrameOrder order = clock_jump_.orderOf(stamp);
+    if (order != FrameOrder::kSetBack) return order == FrameOrder::kNewer;
     std::fprintf(stderr, "process_bag: time jumped back from %f to %f, joints stay known, all else is forgotten\n",
                  newest->toSec(), stamp.toSec());
     pipeline_.startAfresh();

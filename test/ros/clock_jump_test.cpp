@@ -25,6 +25,16 @@ TEST(ClockJump, KnowsTheNewestStampSinceTheJump) {
   EXPECT_EQ(*jumped.newest(), ros::Time(5));
 }
 
+TEST(ClockJump, TellsWhereAFrameBelongs) {
+  ClockJump clock;
+  EXPECT_EQ(clock.orderOf(ros::Time(100)), FrameOrder::kNewer) << "the first";
+  EXPECT_EQ(clock.orderOf(ros::Time(100)), FrameOrder::kNotNewer);
+  EXPECT_EQ(clock.orderOf(ros::Time(99.5)), FrameOrder::kNotNewer);
+  EXPECT_EQ(clock.orderOf(ros::Time(100.1)), FrameOrder::kNewer);
+  EXPECT_EQ(clock.orderOf(ros::Time(5)), FrameOrder::kSetBack);
+  EXPECT_EQ(clock.orderOf(ros::Time(5.1)), FrameOrder::kNewer);
+}
+
 TEST(ClockJump, KnowsAllTimesThatAMessageHolds) {
   ClockJump jumped;
   EXPECT_FALSE(jumped(ros::Time(0)));

@@ -9,6 +9,8 @@
 
 namespace cabinet_articulation {
 
+enum class FrameOrder { kNewer, kNotNewer, kSetBack };
+
 /// Recognises by the stamps of the frames that time was set back (a looped bag, a restarted simulation). Frames that are
 /// merely out of order are no jump.
 class ClockJump {
@@ -17,6 +19,13 @@ class ClockJump {
     const bool jumped = newest_ && secondsBetween(stamp, *newest_) > kOutOfOrder;
     if (jumped || !newest_ || stamp > *newest_) newest_ = stamp;
     return jumped;
+  }
+
+  /// Where a frame belongs among those before. What is not newer is out of order or was there already.
+  FrameOrder orderOf(const ros::Time& stamp) {
+    const std::optional<ros::Time> before = newest_;
+    if ((*this)(stamp)) return FrameOrder::kSetBack;
+    return !before || stamp > *before ? FrameOrder::kNewer : FrameOrder::kNotNewer;
   }
 
   /// The newest stamp since time was set back last; nothing before the first.
