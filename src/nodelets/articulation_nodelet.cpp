@@ -32,7 +32,7 @@ class ArticulationStage : public StageNodelet {
       learner_->remember(joints);
     };
     store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file,
-                                          LearnerCalls{start_from, [this](std::uint32_t id) { learner_->forget(id); }});
+                                          LearnerCalls{start_from, [this](std::uint32_t id) { learner_->forget(id); }}, guard());
     report([this] { return store_->loadAtStart(); });
     services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get());
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
@@ -55,7 +55,7 @@ class ArticulationStage : public StageNodelet {
   }
 
   void subscribe() override {
-    tracks_topic_.subscribe<TrackArray>(getNodeHandle(), "tracks", [this](const auto& tracks) {
+    tracks_topic_.subscribe<TrackArray>(getNodeHandle(), "tracks", guard(), [this](const auto& tracks) {
       {
         std::lock_guard<std::mutex> lock(waiting_mutex_);
         waiting_.push_back(tracks);

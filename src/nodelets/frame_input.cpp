@@ -12,9 +12,11 @@ FrameTopics resolved(const ros::NodeHandle& nh, FrameTopics topics) {
 
 }  // namespace
 
-FrameInput::FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync)
+FrameInput::FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync,
+                       const CallbackGuard& guard)
     : nh_(nh),
       input_(config.input),
+      guard_(guard),
       assembler_(
           config, sync, resolved(nh, FrameTopics::below("", config.input)),
           [this](const FrameMessages& frame) {
@@ -28,16 +30,19 @@ void FrameInput::subscribe(const FrameAssembler::Callback& complete, const Frame
   complete_ = complete;
   left_out_ = left_out;
   const FrameTopics topics = FrameTopics::below("", input_);
-  info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.info, [this](const auto& info) { assembler_.addInfo(info); });
+  info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.info, guard_,
+                                                 [this](const auto& info) { assembler_.addInfo(info); });
   if (input_ == "depth") {
-    frame_topic_.subscribe<sensor_msgs::Image>(nh_, topics.frame, [this](const auto& depth) { assembler_.addDepth(depth); });
+    frame_topic_.subscribe<sensor_msgs::Image>(nh_, topics.frame, guard_,
+                                               [this](const auto& depth) { assembler_.addDepth(depth); });
     return;
   }
-  right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.right_info,
+  right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.right_info, guard_,
                                                        [this](const auto& info) { assembler_.addRightInfo(info); });
-  left_topic_.subscribe<sensor_msgs::Image>(nh_, topics.left, [this](const auto& image) { assembler_.addLeft(image); });
-  right_topic_.subscribe<sensor_msgs::Image>(nh_, topics.right, [this](const auto& image) { assembler_.addRight(image); });
-  frame_topic_.subscribe<stereo_msgs::DisparityImage>(nh_, topics.frame,
+  left_topic_.subscribe<sensor_msgs::Image>(nh_, topics.left, guard_, [this](const auto& image) { assembler_.addLeft(image); });
+  right_topic_.subscribe<sensor_msgs::Image>(nh_, topics.right, guard_,
+                                             [this](const auto& image) { assembler_.addRight(image); });
+  frame_topic_.subscribe<stereo_msgs::DisparityImage>(nh_, topics.frame, guard_,
                                                       [this](const auto& disparity) { addDisparity(disparity); });
 }
 

@@ -15,7 +15,8 @@ namespace cabinet_articulation {
 /// Subscribes to what a FrameAssembler puts together.
 class FrameInput {
  public:
-  FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync);
+  /// What a callback throws goes to the guard.
+  FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync, const CallbackGuard& guard);
 
   /// The callbacks (may be empty) are those of FrameAssembler.
   void subscribe(const FrameAssembler::Callback& complete, const FrameAssembler::LeftOut& left_out = {});
@@ -34,6 +35,7 @@ class FrameInput {
 
   ros::NodeHandle nh_;
   std::string input_;
+  CallbackGuard guard_;
   FrameAssembler::Callback complete_;
   FrameAssembler::LeftOut left_out_;
   FrameAssembler assembler_;

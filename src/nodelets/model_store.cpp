@@ -21,11 +21,12 @@ std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fr
 
 }  // namespace
 
-ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner)
+ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner, const CallbackGuard& guard)
     : nh_(std::move(nh)), file_(file), learner_(std::move(learner)) {
   if (file_.save_at_exit && file_.models_file.empty())
     throw core::ConfigError("save_at_exit is true, and models_file does not say where to save");
-  known_fronts_ = nh_.advertise<KnownFrontArray>("known_fronts", 1, [this](const auto& subscriber) { greet(subscriber); });
+  known_fronts_ = nh_.advertise<KnownFrontArray>(
+      "known_fronts", 1, [this, guard](const auto& subscriber) { guard("known_fronts", [&] { greet(subscriber); }); });
 }
 
 /// A tracker that is started later, or again, hears of what is known by then, and which ids are used up.

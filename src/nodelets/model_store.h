@@ -15,6 +15,7 @@
 #include "cabinet_articulation/joints/known_fronts.h"
 #include "cabinet_articulation/joints/model_file.h"
 #include "cabinet_articulation/joints/removed_fronts.h"
+#include "callback_guard.h"
 #include "generation_watch.h"
 #include "settings.h"
 
@@ -35,8 +36,8 @@ struct LearnerCalls {
  */
 class ModelStore {
  public:
-  /// `nh`: where the topic lives.
-  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner);
+  /// `nh`: where the topic lives. What goes wrong while somebody is told of known fronts goes to the guard.
+  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner, const CallbackGuard& guard);
   ~ModelStore() { known_fronts_.shutdown(); }
 
   // Each says how it went; they throw core::ModelFileError, and have changed nothing then.

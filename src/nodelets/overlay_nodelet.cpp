@@ -57,14 +57,15 @@ class OverlayStage : public StageNodelet {
   void subscribe() override {
     ros::NodeHandle& nh = getNodeHandle();
     const std::string camera = fromDepth() ? "depth/" : "left/";
-    info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, camera + "camera_info", [this](const auto& info) { info_ = info; });
-    image_topic_.subscribe<sensor_msgs::Image>(nh, camera + (fromDepth() ? "image" : "image_rect"),
+    info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, camera + "camera_info", guard(),
+                                                   [this](const auto& info) { info_ = info; });
+    image_topic_.subscribe<sensor_msgs::Image>(nh, camera + (fromDepth() ? "image" : "image_rect"), guard(),
                                                [this](const auto& image) { images_.add(image); });
-    rectangles_topic_.subscribe<RectangleArray>(nh, "rectangles", [this](const auto& rectangles) {
+    rectangles_topic_.subscribe<RectangleArray>(nh, "rectangles", guard(), [this](const auto& rectangles) {
       recent_rectangles_.add(rectangles);
       if (models_topic_.publishers() == 0) put({images_.find(rectangles->header.stamp), info_, rectangles, nullptr});
     });
-    models_topic_.subscribe<ArticulationModelArray>(nh, "models", [this](const auto& models) {
+    models_topic_.subscribe<ArticulationModelArray>(nh, "models", guard(), [this](const auto& models) {
       const ros::Time& stamp = models->header.stamp;
       put({images_.find(stamp), info_, recent_rectangles_.find(stamp), models});
     });

@@ -45,7 +45,7 @@ class RectanglesStage : public StageNodelet {
     };
     apply(config);
     offerTuning<core::RectanglesConfig>(config, apply);
-    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync);
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, guard());
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     rectangles_ = advertise<RectangleArray>("rectangles");
@@ -56,13 +56,13 @@ class RectanglesStage : public StageNodelet {
     frames_->subscribe([this](const FrameMessages& frame) {
       if (early_planes_ && early_planes_->header.stamp == frame.header().stamp) add(early_planes_);
     });
-    planes_topic_.subscribe<PlaneArray>(nh, "planes", [this](const auto& planes) {
+    planes_topic_.subscribe<PlaneArray>(nh, "planes", guard(), [this](const auto& planes) {
       const ros::Time& stamp = planes->header.stamp;
       period_ = arrived_.isZero() ? 0 : std::min(std::abs(secondsBetween(arrived_, stamp)), kLongestWait);
       arrived_ = stamp;
       add(planes);
     });
-    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts",
+    expected_topic_.subscribe<ExpectedFrontArray>(nh, "expected_fronts", guard(),
                                                   [this](const auto& expected) { expected_.put(expected); });
   }
 

@@ -18,6 +18,7 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/parameters.h"
 #include "cabinet_articulation/ros/simulation_conversions.h"
+#include "callback_guard.h"
 #include "settings.h"
 
 namespace cabinet_articulation {
@@ -70,7 +71,9 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
       });
     }
     if (!settings_.world_frame.empty()) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
-    thread_ = std::thread([this] { run(); });
+    const CallbackGuard guard(
+        [this](const std::string&, const std::string& what) { NODELET_FATAL("%s: %s", getName().c_str(), what.c_str()); });
+    thread_ = std::thread([this, guard] { guard("camera", [this] { run(); }); });
   }
 
   bool paced() const { return settings_.pace == "results"; }

@@ -18,6 +18,10 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 }  // namespace
 
 void StageNodelet::onInit() {
+  guard_("start", [this] { initialize(); });
+}
+
+void StageNodelet::initialize() {
   endOnSigtermAsOnSigint();
   ros::NodeHandle& nh = getNodeHandle();
   updater_ = std::make_unique<diagnostic_updater::Updater>(nh, getPrivateNodeHandle(), getName());
@@ -31,7 +35,8 @@ void StageNodelet::onInit() {
   } catch (const std::exception& error) {
     refuse(error.what());
   }
-  timer_ = nh.createWallTimer(ros::WallDuration(settings_.diagnostic_period), [this](const ros::WallTimerEvent&) { diagnose(); });
+  timer_ = nh.createWallTimer(ros::WallDuration(settings_.diagnostic_period),
+                              [this](const ros::WallTimerEvent&) { guard_("diagnostics", [this] { diagnose(); }); });
   followListeners();
 }
 
@@ -58,7 +63,11 @@ void StageNodelet::stop() {
 }
 
 void StageNodelet::workOnNewest(LatestWorker::Job job) {
-  if (worker_.put(std::move(job))) health_.dropped();
+  if (worker_.put(guarded(std::move(job)))) health_.dropped();
+}
+
+LatestWorker::Job StageNodelet::guarded(LatestWorker::Job job) const {
+  return [this, job = std::move(job)] { guard_("worker", job); };
 }
 
 void StageNodelet::followListeners() {

@@ -15,6 +15,7 @@
 
 #include "cabinet_articulation/ros/live_settings.h"
 #include "cabinet_articulation/ros/parameters.h"
+#include "callback_guard.h"
 #include "latest_worker.h"
 #include "settings.h"
 #include "stage_health.h"
@@ -32,6 +33,9 @@ struct StageWait {
  * What all stages have in common at the ROS edge: settings that are checked before anything starts, inputs that are
  * subscribed to only while somebody listens to the outputs, a worker that does the stage's work, `timing`, and the state in
  * words on /diagnostics.
+ *
+ * Whatever ROS calls (inputs, connections, the timer) and the worker's jobs go through one guard, which turns an exception into
+ * a trouble: nothing escapes into the manager.
  *
  * A stage with bad settings says so (log and diagnostics) and stays inert; the manager and the other stages live on.
  * A stage cannot be exported but as EndsInOrder<Stage>, which ends callbacks and worker before a member is destroyed.
@@ -76,12 +80,12 @@ class StageNodelet : public nodelet::Nodelet {
   /// An output whose subscribers make the stage work. `greet` tells a new subscriber what it missed.
   template <class Message>
   ros::Publisher advertise(const std::string& topic, const ros::SubscriberStatusCallback& greet = {}) {
-    const auto left = [this](const ros::SingleSubscriberPublisher&) { followListeners(); };
-    const auto came = [this, greet](const ros::SingleSubscriberPublisher& subscriber) {
-      if (greet) greet(subscriber);
-      followListeners();
+    const auto follow = [this, topic](const ros::SingleSubscriberPublisher&) { guard_(topic, [this] { followListeners(); }); };
+    const auto came = [this, topic, greet, follow](const ros::SingleSubscriberPublisher& subscriber) {
+      if (greet) guard_(topic, [&] { greet(subscriber); });
+      follow(subscriber);
     };
-    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, came, left));
+    outputs_.push_back(getNodeHandle().advertise<Message>(topic, kOutputQueue, came, follow));
     return outputs_.back();
   }
 
@@ -101,7 +105,7 @@ class StageNodelet : public nodelet::Nodelet {
   void workOnNewest(LatestWorker::Job job);
 
   /// The same for a job that works on all that has come by then, so that nothing is lost with one that is replaced.
-  void workOnAll(LatestWorker::Job job) { worker_.put(std::move(job)); }
+  void workOnAll(LatestWorker::Job job) { worker_.put(guarded(std::move(job))); }
 
   /// Runs the stage on one frame, measures it and turns an exception into a trouble. Called by the job.
   void runStage(const std_msgs::Header& header, const std::function<void()>& work, const StageWait& wait = {});
@@ -110,6 +114,10 @@ class StageNodelet : public nodelet::Nodelet {
   void require(const WatchedSubscriber* input) { required_.push_back(input); }
 
   void trouble(const std::string& key, const std::string& text);
+
+  /// For inputs: turns what their callbacks throw into troubles.
+  const CallbackGuard& guard() const { return guard_; }
+
   StageHealth& health() { return health_; }
 
  private:
@@ -126,10 +134,13 @@ class StageNodelet : public nodelet::Nodelet {
   void refuse(const std::string& reason);
   void followListeners();
   void diagnose();
+  void initialize();
+  LatestWorker::Job guarded(LatestWorker::Job job) const;
 
   const std::string stage_;
   StageSettings settings_;
   StageHealth health_;
+  const CallbackGuard guard_{[this](const std::string& where, const std::string& what) { trouble(where, what); }};
   std::vector<const WatchedSubscriber*> required_;
 
   std::mutex working_;  ///< held while a frame is worked on or the stage is built anew

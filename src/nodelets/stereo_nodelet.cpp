@@ -37,12 +37,13 @@ class StereoStage : public StageNodelet {
 
   void subscribe() override {
     ros::NodeHandle& nh = getNodeHandle();
-    left_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "left/camera_info",
+    left_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "left/camera_info", guard(),
                                                         [this](const auto& info) { addInfo(info, &left_info_); });
-    right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "right/camera_info",
+    right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "right/camera_info", guard(),
                                                          [this](const auto& info) { addInfo(info, &right_info_); });
-    left_.subscribe<sensor_msgs::Image>(nh, "left/image_rect", [this](const auto& image) { add(Side::kLeft, image); });
-    right_.subscribe<sensor_msgs::Image>(nh, "right/image_rect", [this](const auto& image) { add(Side::kRight, image); });
+    left_.subscribe<sensor_msgs::Image>(nh, "left/image_rect", guard(), [this](const auto& image) { add(Side::kLeft, image); });
+    right_.subscribe<sensor_msgs::Image>(nh, "right/image_rect", guard(),
+                                         [this](const auto& image) { add(Side::kRight, image); });
   }
 
   void unsubscribe() override {

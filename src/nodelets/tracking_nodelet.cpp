@@ -32,7 +32,7 @@ class TrackingStage : public StageNodelet {
     });
     require(&rectangles_topic_);
     // Not lazy: what was known before arrives once, and must not be missed.
-    known_fronts_ = getNodeHandle().subscribe<KnownFrontArray>("known_fronts", 1, [this](const KnownFrontArrayConstPtr& fronts) {
+    known_fronts_.subscribe<KnownFrontArray>(getNodeHandle(), "known_fronts", guard(), [this](const auto& fronts) {
       std::lock_guard<std::mutex> lock(known_mutex_);
       new_known_ = fronts;
     });
@@ -45,7 +45,7 @@ class TrackingStage : public StageNodelet {
     // interest alone must not keep both stages working.
     std::lock_guard<std::mutex> lock(expected_mutex_);
     expected_ = getNodeHandle().advertise<ExpectedFrontArray>("expected_fronts", 1);
-    rectangles_topic_.subscribe<RectangleArray>(getNodeHandle(), "rectangles", [this](const auto& rectangles) {
+    rectangles_topic_.subscribe<RectangleArray>(getNodeHandle(), "rectangles", guard(), [this](const auto& rectangles) {
       workOnNewest([this, rectangles] { process(*rectangles); });
     });
   }
@@ -144,7 +144,6 @@ class TrackingStage : public StageNodelet {
   std::atomic<bool> somebody_joined_{false};  ///< since the last frame
   TransformSource transforms_;
   ClockJump clock_jump_;
-  ros::Subscriber known_fronts_;
   std::mutex known_mutex_;
   KnownFrontArrayConstPtr new_known_;  ///< not taken over yet
   KnownFrontArrayConstPtr known_;
@@ -153,7 +152,7 @@ class TrackingStage : public StageNodelet {
   ros::Publisher tracks_;
   std::mutex expected_mutex_;  ///< guards expected_
   ros::Publisher expected_;
-  WatchedSubscriber rectangles_topic_;
+  WatchedSubscriber rectangles_topic_, known_fronts_;
 };
 
 using TrackingNodelet = EndsInOrder<TrackingStage>;

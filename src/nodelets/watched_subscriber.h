@@ -5,30 +5,40 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <string>
+
+#include "cabinet_articulation/ros/limits.h"
+#include "callback_guard.h"
 
 namespace cabinet_articulation {
 
-/// A subscription that knows since when it has been silent. The callback gets the publisher's own message.
+/// A subscription that knows since when it has been silent. The callback gets the publisher's own message, and what it throws
+/// goes to the guard. So does a message whose stamp is beyond all use.
 class WatchedSubscriber {
  public:
   template <class Message>
-  void subscribe(ros::NodeHandle& nh, const std::string& topic,
+  void subscribe(ros::NodeHandle& nh, const std::string& topic, const CallbackGuard& guard,
                  const std::function<void(const boost::shared_ptr<const Message>&)>& callback) {
+    const std::string resolved = nh.resolveName(topic);
+    // Named once: the worker reads the name while the stage subscribes anew.
+    std::call_once(named_, [&] { topic_ = resolved; });
     heard_ = ros::WallTime::now().toSec();
-    const auto heard = [this, callback](const boost::shared_ptr<const Message>& message) {
+    const auto heard = [this, guard, resolved, callback](const boost::shared_ptr<const Message>& message) {
       heard_ = ros::WallTime::now().toSec();
-      callback(message);
+      guard(resolved, [&] {
+        requireStamp("header.stamp", message->header.stamp);
+        callback(message);
+      });
     };
     // Most messages are small: without this, TCP holds them back for some 40 ms where stages run in several processes.
     subscriber_ = nh.subscribe<Message>(topic, kQueue, heard, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
-    topic_ = subscriber_.getTopic();
   }
 
   /// Waits for a callback that is running.
   void shutdown() { subscriber_.shutdown(); }
 
-  /// Resolved; empty before the first subscription.
+  /// Resolved; empty before the first subscription. The first one must not be under way in another thread.
   const std::string& topic() const { return topic_; }
 
   std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }
@@ -41,6 +51,7 @@ class WatchedSubscriber {
   static constexpr std::uint32_t kQueue = 8;
 
   ros::Subscriber subscriber_;
+  std::once_flag named_;
   std::string topic_;
   std::atomic<double> heard_{0};
 };

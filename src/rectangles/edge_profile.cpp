@@ -65,7 +65,8 @@ EdgeProfile::EdgeProfile(const DepthFrame& frame, const PlaneRegion& region, con
   const ImageQuad band{from - inside * edge.outward, to - inside * edge.outward, to + kOutside * edge.outward,
                        from + kOutside * edge.outward};
   // Long edges have more pixels than they need: leave out rows or columns, whichever the edge crosses.
-  const int stride = std::max(1, static_cast<int>(along.norm() / kEnoughPixels));
+  const double longest = std::max({frame.left.cols, frame.left.rows, 1});
+  const int stride = static_cast<int>(std::clamp(along.norm() / kEnoughPixels, 1.0, longest));
   const bool upright = std::abs(along.y()) > std::abs(along.x());
   const DisparityPlane& plane = region.disparity_plane;
   Row row;

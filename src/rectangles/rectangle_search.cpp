@@ -11,7 +11,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kRowShare = 0.25;  ///< of a step: rows between those that are looked at
-constexpr int kMaxRowStep = 8;      ///< [px]
+constexpr double kMaxRowStep = 8;   ///< [px]
 constexpr int kMaxSweeps = 20;      ///< per step length; a guard, some five are usual
 
 class GreedySearch {
@@ -23,7 +23,7 @@ class GreedySearch {
     best_.rectangle = start;
     const double pixels_per_metre = chart_.pixelsPerMetre();
     for (double step = config_.first_step; step >= config_.last_step; step /= 2) {
-      row_step_ = std::clamp(static_cast<int>(step * pixels_per_metre * kRowShare), 1, kMaxRowStep);
+      row_step_ = static_cast<int>(std::clamp(step * pixels_per_metre * kRowShare, 1.0, kMaxRowStep));
       best_.gain = gain(best_.rectangle);
       for (int sweep = 0; sweep < kMaxSweeps && improve(step, freedom); ++sweep) continue;
     }

@@ -16,12 +16,14 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kObservedEdge = 0.5;  ///< edge support from which a side counts as seen
+constexpr double kFarthest = 1e6;      ///< [m] beyond, a pixel sees the plane at its horizon
 constexpr double kRandomSide = 0.2;    ///< [m] of a random start (original release)
 
 std::optional<PlaneRectangle> outlineStart(const PlaneRegion& region, const PlaneChart& chart) {
   std::vector<cv::Point2f> outline;
   for (const cv::Point2f& pixel : region.hull)
-    if (const auto point = chart.fromPixel({pixel.x, pixel.y})) outline.emplace_back(point->x(), point->y());
+    if (const auto point = chart.fromPixel({pixel.x, pixel.y}); point && point->norm() < kFarthest)
+      outline.emplace_back(point->x(), point->y());
   if (outline.size() < 3) return std::nullopt;
   const cv::RotatedRect box = cv::minAreaRect(outline);
   PlaneRectangle start;

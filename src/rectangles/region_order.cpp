@@ -10,11 +10,12 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kPlaneDistance = 0.05;  ///< [m] a tracked front moves no farther between frames
+constexpr double kFarOutside = 1e6;      ///< [px] that single precision holds, outside every image
 constexpr double kPlaneCosine = 0.9;     ///< 26 deg: turn between frames and a small front's error
 
 bool holds(const PlaneRegion& region, const StereoCamera& camera, const Rectangle& expected) {
   if (region.hull.size() < 3 || !(expected.center().z() > 0) || !liesIn(region.plane, expected)) return false;
-  const Eigen::Vector2d pixel = camera.project(expected.center());
+  const Eigen::Vector2d pixel = camera.project(expected.center()).cwiseMax(-kFarOutside).cwiseMin(kFarOutside);
   return cv::pointPolygonTest(region.hull, cv::Point2f(static_cast<float>(pixel.x()), static_cast<float>(pixel.y())), false) >= 0;
 }
 

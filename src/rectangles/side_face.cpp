@@ -24,7 +24,7 @@ using Values = std::array<float, kStrips>;
 
 /// Log residuals of all strips at one disparity within reach, by the parabola through three samples.
 Values logResiduals(const EdgeProfile::Residuals& residuals, double disparity) {
-  const int i = std::clamp(static_cast<int>(disparity + kReach), 1, EdgeProfile::kOffsets - 2);
+  const int i = static_cast<int>(std::clamp(disparity + kReach, 1.0, EdgeProfile::kOffsets - 2.0));
   const auto x = static_cast<float>(disparity - (i - EdgeProfile::kOnPlane));
   Values values;
   for (int k = 0; k < kStrips; ++k) {

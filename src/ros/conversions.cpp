@@ -2,13 +2,42 @@
 #include "cabinet_articulation/ros/conversions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/ros/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "from_messages.h"
 
 namespace cabinet_articulation {
+namespace {
+
+void requireSane(const Rectangle& message) {
+  requireWithin("width", message.width, limits::kSide);
+  requireWithin("height", message.height, limits::kSide);
+  requireCovariance(message.pose.covariance.data());
+  requireWithin("precision", message.precision, limits::kQuality);
+  requireWithin("recall", message.recall, limits::kQuality);
+  for (const float support : message.edge_support) requireWithin("edge_support", support, limits::kShare);
+  requireWithin("plane", message.plane, {0, std::numeric_limits<int>::max(), "(an index)"});
+}
+
+/// The closed position and what follows from it may be unknown, NaN; all else must be numbers.
+void requireSane(const ArticulationModel& message) {
+  requireSideOrUnknown("width", message.width);
+  requireSideOrUnknown("height", message.height);
+  requireWithin("q", message.q, limits::kConfiguration);
+  requireWithin("q_min", message.q_min, limits::kConfiguration);
+  requireWithin("q_max", message.q_max, limits::kConfiguration);
+  requireWithin("radius", message.radius, limits::kFromOrigin);
+  requireWithin("pitch", message.pitch, limits::kConfiguration);
+  requireWithin("length of axis", fromMessage(message.axis).norm(), {0, limits::kUnitLength.max, limits::kUnitLength.unit});
+  requireWithin("distance of axis_point", fromMessage(message.axis_point).norm(), limits::kFromOrigin);
+}
+
+}  // namespace
 
 Rectangle toMessage(const core::DetectedRectangle& rectangle) {
   Rectangle message;
@@ -24,8 +53,10 @@ Rectangle toMessage(const core::DetectedRectangle& rectangle) {
 }
 
 core::DetectedRectangle fromMessage(const Rectangle& message) {
+  requireSane(message);
   core::DetectedRectangle rectangle;
   rectangle.rectangle = {fromMessage(message.pose.pose), message.width, message.height};
+  requireWithin("distance", rectangle.rectangle.center().norm(), limits::kFromCamera);
   rectangle.covariance = fromMessage(message.pose.covariance);
   rectangle.precision = message.precision;
   rectangle.recall = message.recall;
@@ -96,6 +127,7 @@ core::LearnedModel fromMessage(const ArticulationModel& message) {
   if (message.type >= core::modelRegistry().size())
     throw std::invalid_argument("type is " + std::to_string(message.type) + ", expected less than " +
                                 std::to_string(core::modelRegistry().size()));
+  requireSane(message);
   core::LearnedModel model;
   model.id = message.id;
   model.stamp = message.header.stamp.toSec();

@@ -4,8 +4,11 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
+
+#include "cabinet_articulation/ros/limits.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -70,6 +73,37 @@ void fillImage(const cv::Mat& pixels, const std_msgs::Header& header, const std:
   for (int v = 0; v < pixels.rows; ++v) image->data.insert(image->data.end(), pixels.ptr(v), pixels.ptr(v) + row);
 }
 
+const core::StereoCamera& requireSane(const core::StereoCamera& camera) {
+  requireWithin("width", camera.width, limits::kImageSide);
+  requireWithin("height", camera.height, limits::kImageSide);
+  requireWithin("focal length fx (P[0])", camera.fx, limits::kFocalLength);
+  requireWithin("focal length fy (P[5])", camera.fy, limits::kFocalLength);
+  requireWithin("principal point cx (P[2])", camera.cx, limits::kPrincipalPoint);
+  requireWithin("principal point cy (P[6])", camera.cy, limits::kPrincipalPoint);
+  requireWithin("right camera's baseline (-P[3] / P[0])", camera.baseline, limits::kBaseline);
+  requireWithin("right camera's cx (left P[2] - right P[2])", camera.cx_difference, limits::kPrincipalPoint);
+  return camera;
+}
+
+/// As many as a convex polygon around pixels has at most, some more for corners that lie on a line.
+size_t mostCorners(const sensor_msgs::Image& mask) { return 2 * (static_cast<size_t>(mask.width) + mask.height); }
+
+void requireSane(const Plane& message) {
+  const auto& n = message.coefficients;
+  requireWithin("length of coefficients[0..2]", std::hypot(n[0], n[1], n[2]), limits::kUnitLength);
+  requireWithin("coefficients[3]", n[3], limits::kPlaneOffset);
+  for (const double value : message.disparity_plane) requireWithin("disparity_plane", value, limits::kDisparityPlane);
+  const double width = message.mask.width, height = message.mask.height;
+  requireWithin("inliers", message.inliers, {0, width * height, "px, as the mask has"});
+  requireWithin("number of hull's corners", static_cast<double>(message.hull.size()),
+                {0, static_cast<double>(mostCorners(message.mask)), "for a mask of this size"});
+  const double margin = limits::kHullMargin.max;
+  for (const geometry_msgs::Point32& corner : message.hull) {
+    requireWithin("hull's x", corner.x, {-margin * width, (1 + margin) * width, "px, near the image"});
+    requireWithin("hull's y", corner.y, {-margin * height, (1 + margin) * height, "px, near the image"});
+  }
+}
+
 }  // namespace
 
 core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right,
@@ -78,8 +112,8 @@ core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sen
     fail(right_topic, "size is " + sizeText(right.width, right.height) + ", expected that of " + left_topic + ", " +
                           sizeText(left.width, left.height));
   try {
-    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
-                                               projection(right));
+    return requireSane(core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height),
+                                                           projection(left), projection(right)));
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
     fail(text.rfind("right", 0) == 0 ? right_topic : left_topic, text);
@@ -93,7 +127,8 @@ core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std:
   else
     std::copy(info.K.begin(), info.K.end(), K.begin());
   try {
-    return core::StereoCamera::fromDepthCamera(static_cast<int>(info.width), static_cast<int>(info.height), K, virtual_baseline);
+    return requireSane(
+        core::StereoCamera::fromDepthCamera(static_cast<int>(info.width), static_cast<int>(info.height), K, virtual_baseline));
   } catch (const std::invalid_argument& error) {
     fail(topic, error.what());
   }
@@ -102,8 +137,9 @@ core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std:
 core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparity, const std::string& topic,
                                      const sensor_msgs::CameraInfo& left, const std::string& left_topic,
                                      const sensor_msgs::CameraInfo* right) {
-  if (!(disparity.f > 0)) wrong(topic, "f", disparity.f, "the focal length in pixels");
-  if (!(disparity.T > 0)) wrong(topic, "T", disparity.T, "the baseline in metres, a positive number");
+  const auto known = [](double value, const Limit& limit) { return value >= limit.min && value <= limit.max; };
+  if (!known(disparity.f, limits::kFocalLength)) wrong(topic, "f", disparity.f, "the focal length in pixels, 1 to 100000");
+  if (!known(disparity.T, limits::kBaseline)) wrong(topic, "T", disparity.T, "the baseline in metres, 0.001 to 10");
   std::array<double, 12> P_right = projection(left);
   if (right && computedFrom(disparity, left, *right)) {
     P_right = projection(*right);
@@ -113,8 +149,8 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
     if (right) P_right[2] = right->P[2];
   }
   try {
-    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
-                                               P_right);
+    return requireSane(core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height),
+                                                           projection(left), P_right));
   } catch (const std::invalid_argument& error) {
     fail(left_topic, error.what());
   }
@@ -189,6 +225,7 @@ core::PlaneRegion fromMessage(const Plane& message) {
   for (const geometry_msgs::Point32& point : message.hull) region.hull.emplace_back(point.x, point.y);
   if (message.mask.encoding != encodings::MONO8) fail("mask", "encoding is '" + message.mask.encoding + "', expected 'mono8'");
   region.mask = pixels(message.mask, "mask", CV_8UC1);
+  requireSane(message);
   return region;
 }
 

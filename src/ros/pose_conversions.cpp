@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/geometry/message_precision.h"
+#include "cabinet_articulation/ros/limits.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -49,6 +50,11 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& message) {
   std::ostringstream text;
   if (!p.allFinite()) {
     text << "position is (" << p.x() << ", " << p.y() << ", " << p.z() << "), expected finite numbers";
+    throw std::invalid_argument(text.str());
+  }
+  if (p.cwiseAbs().maxCoeff() > limits::kFromOrigin.max) {
+    text << "position is (" << p.x() << ", " << p.y() << ", " << p.z() << "), expected coordinates up to "
+         << limits::kFromOrigin.max << " " << limits::kFromOrigin.unit;
     throw std::invalid_argument(text.str());
   }
   if (!(std::abs(q.norm() - 1) <= kQuaternionTolerance)) {

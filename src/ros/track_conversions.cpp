@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/ros/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "from_messages.h"
 
@@ -83,6 +84,20 @@ TrackArray toTrackArray(const std::vector<Element>& tracks, const std_msgs::Head
   return message;
 }
 
+/// Numbers alone, not whether the lists agree.
+void requireSane(const Track& message) {
+  requireSideOrUnknown("width", message.width);
+  requireSideOrUnknown("height", message.height);
+  for (const ros::Time& stamp : message.stamps) requireStamp("stamps", stamp);
+  for (const double width : message.widths) requireSideOrUnknown("widths", width);
+  for (const double height : message.heights) requireSideOrUnknown("heights", height);
+  for (const double width : message.measured_widths) requireSideOrUnknown("measured_widths", width);
+  for (const double height : message.measured_heights) requireSideOrUnknown("measured_heights", height);
+  for (const double value : message.covariances) requireWithin("covariances", value, limits::kVariance);
+  for (const double value : message.measured_covariances) requireWithin("measured_covariances", value, limits::kVariance);
+  for (const float support : message.edge_support) requireWithin("edge_support", support, limits::kShare);
+}
+
 }  // namespace
 
 Track toMessage(const core::Track& track, const std::string& frame_id) {
@@ -117,8 +132,7 @@ core::TrackUpdate fromMessage(const Track& message) {
   const size_t count = message.poses.size();
   requireLength("stamps", message.stamps.size(), count, 1, false);
   requireLength("edge_support", message.edge_support.size(), count, 4, true);
-  for (const auto& [name, size] : {std::make_pair("width", message.width), std::make_pair("height", message.height)})
-    if (!std::isfinite(size)) throw std::invalid_argument(name + (" is " + std::to_string(size)) + ", expected a finite number");
+  requireSane(message);
   core::TrackUpdate update;
   update.first = message.first;
   update.track.id = message.id;
@@ -198,16 +212,18 @@ core::ExpectedFront fromMessage(const ExpectedFront& message) {
   front.rectangle = {fromMessage(message.pose), message.width, message.height};
   front.velocity = fromMessage(message.velocity);
   front.angular_velocity = fromMessage(message.angular_velocity);
-  if (!front.velocity.allFinite() || !front.angular_velocity.allFinite())
-    throw std::invalid_argument("velocity or angular_velocity is not finite");
+  requireStamp("stamp", message.stamp);
+  requireSideOrUnknown("width", message.width);
+  requireSideOrUnknown("height", message.height);
+  requireWithin("length of velocity", front.velocity.norm(), limits::kSpeed);
+  requireWithin("length of angular_velocity", front.angular_velocity.norm(), limits::kTurnRate);
   return front;
 }
 
 core::ExpectedFronts fromMessage(const ExpectedFrontArray& message) {
   core::ExpectedFronts expected;
   expected.horizon = message.horizon;
-  if (!(expected.horizon >= 0))
-    throw std::invalid_argument("horizon is " + std::to_string(message.horizon) + ", expected 0 s or more");
+  requireWithin("horizon", expected.horizon, limits::kHorizon);
   expected.fronts = fromMessages<core::ExpectedFront>(message.fronts, "fronts");
   return expected;
 }

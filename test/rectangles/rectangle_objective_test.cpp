@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "cabinet_articulation/planes/plane_region.h"
@@ -96,6 +97,27 @@ TEST(RectangleObjectiveTest, HasNothingToSayOutsideTheImage) {
   objective.setMask(mask);
   EXPECT_EQ(objective.gain(turnedBox(-50, -50, 20, 20, 0.3)), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(objective.count(turnedBox(500, 20, 20, 20, 0)).total(), 0);
+}
+
+TEST(RectangleObjectiveTest, CornersMayBeAnywhere) {
+  const double kHuge = std::numeric_limits<double>::max() / 4;
+  const double places[] = {-kHuge, -1e10, -1, 20, 1e10, kHuge};
+  const cv::Mat1b mask = randomMask();
+  RectangleObjective objective{RectanglesConfig()};
+  objective.setMask(mask);
+  for (const double u : places)
+    for (const double v : places)
+      for (const double width : {1e-3, 10.0, 1e10, kHuge}) {
+        const ImageQuad quad{{{u, v}, {u + width, v}, {u + width, v + width}, {u, v + width}}};
+        for (const int row_step : {1, 8}) {
+          const std::int64_t before = objective.rowsSeen();
+          objective.gain(quad, row_step);
+          EXPECT_LE(objective.rowsSeen() - before, kHeight);
+        }
+        EXPECT_LE(objective.count(quad).total(), kWidth * kHeight);
+      }
+  const ImageQuad all{{{-kHuge, -kHuge}, {kHuge, -kHuge}, {kHuge, kHuge}, {-kHuge, kHuge}}};
+  EXPECT_EQ(objective.count(all).total(), kWidth * kHeight);
 }
 
 TEST(RectangleObjectiveTest, PaperObjectiveIsTheOriginalReleasesEq3) {

@@ -213,7 +213,7 @@ TEST(TrackConversion, RefusesWhatNoTrackerSends) {
   EXPECT_EQ(errorOf({track}), "tracks[0]: id is 0, expected 1 or more");
   track = exampleTrack();
   track.height = kNan;
-  EXPECT_EQ(errorOf({track}), "tracks[0]: height is nan, expected a finite number");
+  EXPECT_EQ(errorOf({track}), "tracks[0]: height is nan, expected 0.001 to 10 m, or 0: not known");
   track = exampleTrack();
   track.observations.clear();
   EXPECT_EQ(errorOf({track}), "tracks[0]: no poses, expected at least the newest one");
@@ -232,9 +232,9 @@ TEST(ExpectedFrontConversion, RefusesWhatIsNotFinite) {
   ExpectedFrontArray message = toMessage(expected, exampleHeader());
   EXPECT_EQ(fromMessage(message).fronts.size(), 2u);
   message.fronts[1].velocity.y = kNan;
-  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "fronts[1]: velocity or angular_velocity is not finite");
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "fronts[1]: length of velocity is nan, expected 0 to 100 m/s");
   message.horizon = kNan;
-  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "horizon is nan, expected 0 s or more");
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "horizon is nan, expected 0 to 10 s");
 }
 
 TEST(TrackConversion, EmptyTrackHasNoStamp) {

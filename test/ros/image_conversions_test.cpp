@@ -78,10 +78,10 @@ TEST(CameraConversion, DisparityCameraTrustsTheMessagesFocalLengthTimesBaseline)
   EXPECT_EQ(toDisparityCamera(disparity, "d", left, "l").cx_difference, 0);
   disparity.T = 0;
   EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }),
-            "/d: T is 0, expected the baseline in metres, a positive number");
+            "/d: T is 0, expected the baseline in metres, 0.001 to 10");
   disparity.T = 0.08F;
   disparity.f = kNan;
-  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }), "/d: f is nan, expected the focal length in pixels");
+  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }), "/d: f is nan, expected the focal length in pixels, 1 to 100000");
   disparity.f = 300;
   EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", sensor_msgs::CameraInfo(), "/l"); }).find("/l: "), 0u);
 }

@@ -86,7 +86,7 @@ struct RectanglesConfig {
     visit("min_observed_across", self.min_observed_across, Range{0, 1}, "",
           "observed share of the better one of two opposite edges, for both pairs; not asked where a track is (ours)");
     visit("min_side", self.min_side, Range{0.001, 10}, "m", "shortest side of a rectangle (original release: 0.05)");
-    visit("max_side", self.max_side, Range{0.01, 100}, "m", "longest side of a rectangle (original release: 1.5)");
+    visit("max_side", self.max_side, Range{0.01, 10}, "m", "longest side of a rectangle (original release: 1.5)");
     visit("use_tracks", self.use_tracks, "live tracks propose their fronts (ours); false: each frame is seen on its own");
     visit("track_gain", self.track_gain, Range{0, 1}, "",
           "a fit with a track's size is used where its gain is at least this share of the free fit's (ours)");

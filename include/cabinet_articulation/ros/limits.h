@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <cstdint>
+
+namespace cabinet_articulation {
+
+/*
+ * What messages may hold. The conversions refuse everything else, so that no number overflows behind them and no message of one
+ * node ends the others. The limits are far beyond every cabinet and camera, and far within what the arithmetic can carry.
+ */
+
+/// Both ends are allowed.
+struct Limit {
+  double min, max;
+  const char* unit;
+};
+
+namespace limits {
+
+/// ros::Time ends at 4294967295 s (2106); tf and others that add to a stamp throw shortly before.
+constexpr std::uint32_t kLastSecond = 4290000000U;
+
+constexpr Limit kFromCamera{0, 100, "m"};              ///< a front's centre; depth cameras see 10 m, stereo less than 50 m
+constexpr Limit kFromOrigin{0, 1e7, "m"};              ///< any pose: maps may count from far away, as UTM's northings do
+constexpr Limit kSide{0.001, 10, "m"};                 ///< of a front: what min_side and max_side of the rectangles stage may be
+constexpr Limit kVariance{-1e6, 1e6, "m^2 or rad^2"};  ///< element of a covariance: a sigma of 1 km knows nothing
+constexpr Limit kShare{0, 1, "(a share)"};
+constexpr Limit kQuality{0, 1e9, "(a share)"};          ///< a rectangle may hold more of a plane than its region does
+constexpr Limit kConfiguration{-1e4, 1e4, "m or rad"};  ///< fronts go a few metres, or around a few times
+constexpr Limit kSpeed{0, 100, "m/s"};                  ///< nothing in a kitchen moves at 10 m/s
+constexpr Limit kTurnRate{0, 100, "rad/s"};             ///< half a turn within a tenth of a second is 31 rad/s
+constexpr Limit kHorizon{0, 10, "s"};                   ///< that of prediction_horizon of the tracking stage
+
+constexpr Limit kImageSide{1, 16384, "px"};        ///< sums over a row of 20,000 pixels still fit 32 bits
+constexpr Limit kFocalLength{1, 1e5, "px"};        ///< 1000 px wide images of a hundredth of a radian
+constexpr Limit kPrincipalPoint{-1e5, 1e5, "px"};  ///< rectified images may be cut out far from it
+constexpr Limit kBaseline{0.001, 10, "m"};
+constexpr Limit kPlaneOffset{-100, 100, "m"};
+constexpr Limit kUnitLength{0.99, 1.01, "(a unit vector)"};
+constexpr Limit kDisparityPlane{-1e9, 1e9, "px"};          ///< planes that nearly pass through the camera are steep in disparity
+constexpr Limit kHullMargin{0, 1, "image sizes outside"};  ///< regions end at the border, fits may end a little beyond
+
+}  // namespace limits
+
+/// Throws std::invalid_argument that names the element, its value and what was expected; not a number is never within.
+void requireWithin(const char* element, double value, const Limit& limit);
+
+/// The same for the side of a front, where 0 says that it is not known.
+void requireSideOrUnknown(const char* element, double value);
+
+/// The same for all 36 elements of a covariance.
+void requireCovariance(const double* covariance, const char* element = "covariance");
+
+/// The same for a stamp.
+void requireStamp(const char* element, const ros::Time& stamp);
+
+}  // namespace cabinet_articulation
