@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <sstream>
+
+#include "cabinet_articulation/config/ordinary_file.h"
 
 namespace cabinet_articulation::core {
 namespace detail {
 
 namespace {
+
+constexpr std::size_t kLargestFile = 1U << 20U;  // [bytes] our longest is 20 kB, and all its settings are read at once
 
 size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<size_t> row(b.size() + 1);
@@ -130,14 +133,22 @@ ConfigValue scalar(const YAML::Node& node) {
   return text;
 }
 
+/// Throws ConfigError.
+std::string configurationText(const std::string& path) {
+  try {
+    return readOrdinaryFile(path, kLargestFile);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError("configuration file '" + path + "' " + error.what());
+  }
+}
+
 }  // namespace
 }  // namespace detail
 
 ConfigValues readYamlFile(const std::string& path) {
-  if (!std::ifstream(path)) throw ConfigError("configuration file '" + path + "' cannot be opened");
   ConfigValues values;
   try {
-    const YAML::Node root = YAML::LoadFile(path);
+    const YAML::Node root = YAML::Load(detail::configurationText(path));
     if (root.IsNull()) return values;
     if (!root.IsMap()) throw ConfigError(path + ": expected 'setting: value' lines");
     for (const auto& entry : root) {

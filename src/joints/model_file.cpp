@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cabinet_articulation/config/ordinary_file.h"
 #include "model_text.h"
 #include "safe_file.h"
 
@@ -11,6 +12,9 @@ namespace cabinet_articulation::core {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// [bytes] A front takes some 50 kB, 90 kB at most, and some 1000 fronts are remembered: none of our own files is larger.
+constexpr std::size_t kLargestFile = 256U << 20U;
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw ModelFileError("model file '" + path + "': " + what);
@@ -37,7 +41,7 @@ Found lookAt(const fs::path& file) {
   Found found;
   std::optional<std::string> text;
   try {
-    text = readOrdinaryFile(file);
+    text = readFileIfThere(file, kLargestFile);
     if (text) found.models = modelsFromText(*text);
   } catch (const std::exception& error) {
     if (!text || !wasModelFile(*text))
@@ -95,7 +99,7 @@ std::size_t removeFromModelFile(const std::string& path, const std::string& fram
   return onFile(path, [&]() -> std::size_t {
     const fs::path file = followLinks(path);
     const FolderLock lock(file.parent_path());
-    const std::optional<std::string> text = readOrdinaryFile(file);
+    const std::optional<std::string> text = readFileIfThere(file, kLargestFile);
     if (!text) return 0;
     const ModelFile before = modelsFromText(*text);
     if (before.frame != frame) return 0;
@@ -107,11 +111,7 @@ std::size_t removeFromModelFile(const std::string& path, const std::string& fram
 }
 
 ModelFile readModelFile(const std::string& path) {
-  return onFile(path, [&] {
-    const std::optional<std::string> text = readOrdinaryFile(path);
-    if (!text) throw std::runtime_error("cannot be opened: there is no such file");
-    return modelsFromText(*text);
-  });
+  return onFile(path, [&] { return modelsFromText(readOrdinaryFile(path, kLargestFile)); });
 }
 
 }  // namespace cabinet_articulation::core

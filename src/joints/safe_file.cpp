@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestFile = 256U << 20U;  // bytes; a front takes some 50 kB
-constexpr int kLongestChain = 40;                  // links, as the kernel has it
+constexpr int kLongestChain = 40;  // links, as the kernel has it
 constexpr int kMostKept = 100;
 constexpr std::chrono::seconds kPatience{20};
 constexpr std::chrono::milliseconds kPause{5};
@@ -100,22 +99,6 @@ void syncFolder(const fs::path& folder) {
   if (directory.get() >= 0) ::fsync(directory.get());
 }
 
-std::string readAll(int file, std::size_t expected) {
-  std::string text(expected + 1, '\0');
-  std::size_t size = 0;
-  while (true) {
-    const ssize_t n = ::read(file, &text[size], text.size() - size);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) failWithErrno("cannot be read");
-    if (n == 0) break;
-    size += static_cast<std::size_t>(n);
-    if (size > kLargestFile) throw std::runtime_error("is larger than any model file");
-    if (size == text.size()) text.resize(2 * size);
-  }
-  text.resize(size);
-  return text;
-}
-
 /// Gives the file a second name that is free.
 fs::path keepUnderAnotherName(const fs::path& file) {
   for (int i = 1; i <= kMostKept; ++i) {
@@ -143,25 +126,6 @@ fs::path followLinks(fs::path path) {
     path = path.parent_path() / target;  // an absolute target stands for itself
   }
   throw std::runtime_error("is a link that leads nowhere");
-}
-
-std::optional<std::string> readOrdinaryFile(const fs::path& path) {
-  struct stat status {};
-  // Looked at before it is opened: to open a device may do something, and to open a pipe may wait.
-  if (::stat(path.c_str(), &status) != 0) {
-    if (errno == ENOENT) return std::nullopt;
-    failWithErrno("cannot be opened");
-  }
-  if (S_ISREG(status.st_mode)) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-    if (file.get() < 0) failWithErrno("cannot be opened");
-    if (::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode)) {
-      const auto size = static_cast<std::size_t>(status.st_size);
-      if (size > kLargestFile) throw std::runtime_error("is larger than any model file");
-      return readAll(file.get(), size);
-    }
-  }
-  throw std::runtime_error(S_ISDIR(status.st_mode) ? "is a folder, expected a file" : "is no ordinary file");
 }
 
 FolderLock::FolderLock(const fs::path& folder) : threads_(threadsMutex(), kPatience) {

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <mutex>
-#include <optional>
 #include <string>
 
 namespace cabinet_articulation::core {
@@ -14,10 +13,6 @@ namespace cabinet_articulation::core {
 
 /// What a chain of links ends at, whether that exists or not.
 std::filesystem::path followLinks(std::filesystem::path path);
-
-/// The whole text, or nothing if there is no such file. Never waits, not even for a pipe. Throws for what is no ordinary file,
-/// cannot be read, or is larger than any model file.
-std::optional<std::string> readOrdinaryFile(const std::filesystem::path& path);
 
 /// The right to replace files in one folder, among the threads of this process and among processes. Waits for it. Where
 /// folders cannot be locked (some network drives), it holds among threads only.

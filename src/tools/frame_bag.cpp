@@ -3,10 +3,10 @@
 
 #include <rosbag/view.h>
 
-#include <filesystem>
 #include <stdexcept>
 #include <vector>
 
+#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 
 namespace cabinet_articulation {
@@ -19,8 +19,7 @@ std::string stampText(const ros::Time& stamp) {
 }
 
 void openBag(const std::string& path, rosbag::Bag* bag) {
-  if (!std::filesystem::exists(path)) throw std::runtime_error(path + ": no such file");
-  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path + ": not a file");
+  core::requireOrdinaryFile(path);
   try {
     bag->open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {

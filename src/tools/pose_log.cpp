@@ -2,17 +2,20 @@
 #include "pose_log.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <sstream>
 #include <vector>
+
+#include "cabinet_articulation/config/ordinary_file.h"
+#include "cabinet_articulation/joints/request_limits.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kUnitTolerance = 0.05;
+constexpr std::size_t kLargestLog = 256U << 20U;  // [bytes] two days at 15 Hz with 100 characters a pose
 
 /// Where an error is, for its message.
 struct Location {
@@ -90,6 +93,8 @@ PoseLog readPoseLog(std::istream& in, const std::string& name) {
     TrackedObservation observation;
     observation.stamp = static_cast<double>(log.track.observations.size());
     observation.rectangle = parseRectangle(numbers, location);
+    const std::string trouble = frontTrouble(observation.rectangle);
+    if (!trouble.empty()) location.fail(trouble);
     log.track.observations.push_back(observation);
   }
   if (log.track.observations.empty()) throw PoseLogError(name + ": no poses, expected one a line");
@@ -98,11 +103,12 @@ PoseLog readPoseLog(std::istream& in, const std::string& name) {
 }
 
 PoseLog readPoseLog(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw PoseLogError(path + ": cannot be opened: " + std::strerror(errno));
-  // A folder opens, but does not read.
-  in.peek();
-  if (in.bad()) throw PoseLogError(path + ": cannot be read, expected a text file");
+  std::istringstream in;
+  try {
+    in.str(readOrdinaryFile(path, kLargestLog));
+  } catch (const std::runtime_error& error) {
+    throw PoseLogError(path + ": " + error.what());
+  }
   return readPoseLog(in, path);
 }
 

@@ -219,11 +219,11 @@ TEST_F(ModelFiles, WhereNobodyCanWriteAreAnError) {
 
 TEST_F(ModelFiles, AreOrdinaryFilesAndNothingElseIsOpened) {
   ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
-  expectRefused("is no ordinary file");  // and does not wait for somebody to write
+  expectRefused("is a pipe, expected an ordinary file");  // and does not wait for somebody to write
   EXPECT_THAT([&] { saveModelFile(path_, {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is left as it is")));
   EXPECT_TRUE(fs::is_fifo(path_));
   EXPECT_THAT([&] { readModelFile(folder_.string()); }, ThrowsMessage<ModelFileError>(HasSubstr("is a folder")));
-  EXPECT_THAT([&] { saveModelFile("/dev/null", {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is no ordinary file")));
+  EXPECT_THAT([&] { saveModelFile("/dev/null", {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is a device")));
 }
 
 }  // namespace

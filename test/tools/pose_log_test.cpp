@@ -2,6 +2,8 @@
 #include "pose_log.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <sstream>
 
@@ -62,11 +64,28 @@ TEST(PoseLog, RefusalsNameFileAndLine) {
   EXPECT_EQ(refusal("1 2 3 0 0 0 0\n"), "some.log:1: the quaternion qx qy qz qw has length 0.000000, expected 1");
   EXPECT_EQ(refusal("1 2 3 0 0 0 2\n"), "some.log:1: the quaternion qx qy qz qw has length 2.000000, expected 1");
   EXPECT_EQ(refusal("1 2 3 0 0 0 1 0 0.6\n"), "some.log:1: width and height must be positive");
+  EXPECT_EQ(refusal("1 2 3\n1 -1e154 3\n"), "some.log:2: y is -1e+154 m, expected -10000 to 10000 m");
+  EXPECT_EQ(refusal("1 2 3 0 0 0 1 0.4 0.6\n1 2 3 0 0 0 1 1e18 0.6\n"),
+            "some.log:2: width is 1e+18 m, expected 0.001 to 100 m");
+  EXPECT_EQ(refusal("1 2 3 0 0 0 1 0.4 1e-5\n"), "some.log:1: height is 1e-05 m, expected 0.001 to 100 m");
 }
 
-TEST(PoseLog, MissingFilesAndFoldersAreRefused) {
-  EXPECT_THROW(readPoseLog("/no/such/file.log"), PoseLogError);
-  EXPECT_THROW(readPoseLog("/"), PoseLogError);
+TEST(PoseLog, IsAnOrdinaryFile) {
+  const auto refusalOf = [](const std::string& path) {
+    try {
+      readPoseLog(path);
+    } catch (const PoseLogError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusalOf("/no/such/file.log"), "/no/such/file.log: cannot be opened: there is no such file");
+  EXPECT_EQ(refusalOf("/"), "/: is a folder, expected an ordinary file");
+  EXPECT_EQ(refusalOf("/dev/zero"), "/dev/zero: is a device, expected an ordinary file");
+  const std::string pipe = testing::TempDir() + "/pose_log_test." + std::to_string(::getpid());
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusalOf(pipe), pipe + ": is a pipe, expected an ordinary file");
+  ::unlink(pipe.c_str());
 }
 
 TEST(PoseLog, ReadsWhatItWrote) {

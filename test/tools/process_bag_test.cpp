@@ -3,6 +3,7 @@
 #include <cabinet_articulation/RectangleArray.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <rosbag/view.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <functional>
@@ -132,11 +133,13 @@ TEST_F(ProcessBag, ConvertsColour) {
 }
 
 TEST_F(ProcessBag, SaysWhatIsWrongWithAFile) {
-  expectFailure("none.bag out.bag", "none.bag: no such file");
+  expectFailure("none.bag out.bag", "none.bag: cannot be opened: there is no such file");
   std::ofstream(path("text.bag")) << "this is no bag\n";
   expectFailure("text.bag out.bag", "text.bag: not a complete bag file");
   std::filesystem::create_directory(path("folder.bag"));
-  expectFailure("folder.bag out.bag", "folder.bag: not a file");
+  expectFailure("folder.bag out.bag", "folder.bag: is a folder, expected an ordinary file");
+  ASSERT_EQ(::mkfifo(path("pipe.bag").c_str(), 0600), 0);
+  expectFailure("pipe.bag out.bag", "pipe.bag: is a pipe, expected an ordinary file");
   writeGrey("whole.bag");
   const std::string whole = bytes(path("whole.bag"));
   std::ofstream(path("cut.bag"), std::ios::binary) << whole.substr(0, whole.size() / 2);

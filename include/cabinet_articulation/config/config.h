@@ -165,7 +165,8 @@ std::vector<std::string> applyConfig(const ConfigValues& values, Configs&... con
   return warnings;
 }
 
-/// Reads a flat YAML mapping. Throws ConfigError naming the file and what is wrong (missing, not a mapping, nested).
+/// Reads a flat YAML mapping. Throws ConfigError naming the file and what is wrong (missing, no ordinary file, larger than 1 MB,
+/// not a mapping, nested).
 ConfigValues readYamlFile(const std::string& path);
 
 /// Reads `path` over the defaults. Warnings about unknown keys are appended, with the file's name.
