@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "cabinet_articulation/joints/request_limits.h"
+
 namespace cabinet_articulation::core {
 namespace {
-
-constexpr int kMaxSteps = 10000;
 
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
@@ -45,7 +45,7 @@ Matrix6d observationCovariance(const LearnedModel& model) {
 
 UncertainPose predictWithCovariance(const LearnedModel& model, double q) {
   requireJoint(model);
-  if (!std::isfinite(q)) throw ModelError("q is not finite");
+  requireOpening(q);
   const Matrix6d J = axisJacobian(model, q);
   return {model.predict(q), J * model.covariance * J.transpose() + observationCovariance(model)};
 }
@@ -53,6 +53,8 @@ UncertainPose predictWithCovariance(const LearnedModel& model, double q) {
 NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose) {
   requireJoint(model);
   if (!pose.matrix().allFinite()) throw ModelError("the pose is not finite");
+  const std::string trouble = positionTrouble(pose.translation());
+  if (!trouble.empty()) throw ModelError("the pose's " + trouble);
   NearestConfiguration nearest;
   nearest.q = model.configuration(pose);
   const Eigen::Isometry3d predicted = model.predict(nearest.q);
@@ -63,9 +65,13 @@ NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::I
 
 std::vector<UncertainPose> handlePath(const LearnedModel& model, const Eigen::Isometry3d& T_front_grasp, double q_from,
                                       double q_to, int steps) {
-  if (steps < 2 || steps > kMaxSteps)
-    throw ModelError("steps is " + std::to_string(steps) + ", expected 2 to " + std::to_string(kMaxSteps));
+  if (steps < 2 || steps > static_cast<int>(kMostEntries))
+    throw ModelError("steps is " + std::to_string(steps) + ", expected 2 to " + std::to_string(kMostEntries));
   if (!T_front_grasp.matrix().allFinite()) throw ModelError("the grasp is not finite");
+  const std::string trouble = positionTrouble(T_front_grasp.translation(), kFarthestGrasp);
+  if (!trouble.empty()) throw ModelError("the grasp's " + trouble);
+  requireOpening(q_from);
+  requireOpening(q_to);
   std::vector<UncertainPose> path;
   for (int i = 0; i < steps; ++i) {
     const UncertainPose front = predictWithCovariance(model, q_from + (q_to - q_from) * i / (steps - 1));

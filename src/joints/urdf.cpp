@@ -5,6 +5,8 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <boost/locale/utf.hpp>
+#include <cstdio>
 #include <memory>
 
 #include "cabinet_articulation/articulation/model_registry.h"
@@ -57,9 +59,29 @@ urdf::MaterialSharedPtr wood() {
   return material;
 }
 
+/// XML has no way to write control characters, nor bytes that are no UTF-8.
+bool fitsXml(boost::locale::utf::code_point c) {
+  return boost::locale::utf::is_valid_codepoint(c) && (c >= 0x20 || c == '\t' || c == '\n' || c == '\r') && c != 0xFFFE && c != 0xFFFF;
+}
+
+/// Throws ModelError for a name that a description cannot hold. `what` it is the name of, in words.
+void requireName(const std::string& name, const std::string& what) {
+  for (auto at = name.begin(); at != name.end();) {
+    const auto position = at - name.begin();
+    if (fitsXml(boost::locale::utf::utf_traits<char>::decode(at, name.end()))) continue;
+    char byte[8];
+    std::snprintf(byte, sizeof byte, "0x%02X", static_cast<unsigned char>(name[static_cast<std::size_t>(position)]));
+    throw ModelError(what + " has the byte " + byte + " at position " + std::to_string(position + 1) +
+                     ", which a URDF cannot hold; expected printable UTF-8");
+  }
+}
+
 class Description {
  public:
   Description(const std::string& frame, const std::string& prefix) : prefix_(prefix) {
+    if (frame.empty()) throw ModelError("the frame of the models has no name, and becomes the name of the root link");
+    requireName(frame, "the frame of the models");
+    requireName(prefix, "the prefix of the names");
     description_.name_ = prefix;
     addLink(frame);
     description_.root_link_ = description_.links_.at(frame);
@@ -93,7 +115,10 @@ class Description {
   }
 
  private:
+  /// Throws ModelError for a name that is there already: such a description has no root, or two.
   urdf::LinkSharedPtr addLink(const std::string& name) {
+    if (description_.links_.count(name) > 0)
+      throw ModelError("there are two links '" + name + "'; give each front once, and the frame another name than a front's");
     const auto link = std::make_shared<urdf::Link>();
     link->name = name;
     description_.links_[name] = link;

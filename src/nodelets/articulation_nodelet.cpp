@@ -31,8 +31,9 @@ class ArticulationStage : public StageNodelet {
       learner_->reset();
       learner_->remember(joints);
     };
-    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file,
-                                          LearnerCalls{start_from, [this](std::uint32_t id) { learner_->forget(id); }}, guard());
+    const StoreCalls calls{start_from, [this](std::uint32_t id) { learner_->forget(id); },
+                           [this] { health().setLasting("models_file", ""); }};
+    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, calls, guard());
     report([this] { return store_->loadAtStart(); });
     services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get());
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
@@ -81,7 +82,7 @@ class ArticulationStage : public StageNodelet {
       const std::string text = work();
       if (!text.empty()) NODELET_INFO("%s: %s", getName().c_str(), text.c_str());
     } catch (const std::exception& error) {
-      file_trouble_ = error.what();
+      health().setLasting("models_file", error.what());
       NODELET_ERROR("%s: %s", getName().c_str(), error.what());
     }
   }
@@ -95,7 +96,6 @@ class ArticulationStage : public StageNodelet {
     }
     if (messages.empty()) return;
     for (std::size_t i = 1; i < messages.size(); ++i) health().dropped();
-    if (!file_trouble_.empty() && !store_->fileWasGood()) trouble("models_file", file_trouble_);
     runStage(messages.back()->header, [&] {
       std::lock_guard<std::mutex> lock(store_->learning());
       TrackArrayConstPtr newest;
@@ -155,7 +155,6 @@ class ArticulationStage : public StageNodelet {
   std::unique_ptr<core::ArticulationLearner> learner_;
   std::unique_ptr<ModelStore> store_;
   std::unique_ptr<ModelServices> services_;
-  std::string file_trouble_;
   FrameOutputConfig output_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Time last_transforms_;

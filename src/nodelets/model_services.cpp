@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "cabinet_articulation/joints/prediction.h"
+#include "cabinet_articulation/joints/request_limits.h"
 #include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/joints.h"
@@ -84,6 +86,7 @@ core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* he
 void ModelServices::predict(const Predict::Request& request, Predict::Response* response) {
   const core::LearnedModel model = modelOf(request.id, &response->header);
   if (request.q.empty()) throw core::ModelError("q is empty, expected the openings to predict");
+  core::requireFewEntries(request.q.size(), "openings in q");
   for (const double q : request.q) response->poses.push_back(withCovariance(core::predictWithCovariance(model, q)));
   const auto [lowest, highest] = std::minmax_element(request.q.begin(), request.q.end());
   response->message = core::outsideSeenRange(model, *lowest, *highest);
@@ -100,7 +103,9 @@ void ModelServices::configuration(const Configuration::Request& request, Configu
 }
 
 void ModelServices::fitTrack(const FitTrack::Request& request, FitTrack::Response* response) {
+  core::requireFewEntries(request.track.poses.size(), "poses");
   const core::Track track = wholeTrack(request.track);
+  core::requireSaneTrack(track);
   if (track.observations.empty()) throw core::ModelError("the track has no poses");
   core::ArticulationConfig config;
   {
@@ -135,7 +140,9 @@ void ModelServices::loadModels(const LoadModels::Request& request, LoadModels::R
 void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response) {
   std::vector<core::LearnedModel> models;
   std::string frame_id;
-  for (const std::uint32_t id : request.ids) models.push_back(store_.modelOf(id, &frame_id));
+  core::requireFewEntries(request.ids.size(), "ids");
+  for (const std::uint32_t id : std::set<std::uint32_t>(request.ids.begin(), request.ids.end()))
+    models.push_back(store_.modelOf(id, &frame_id));
   if (request.ids.empty())
     for (const core::LearnedModel& model : store_.jointModels(&frame_id))
       if (core::hasUrdf(model)) models.push_back(model);

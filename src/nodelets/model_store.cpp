@@ -21,8 +21,8 @@ std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fr
 
 }  // namespace
 
-ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner, const CallbackGuard& guard)
-    : nh_(std::move(nh)), file_(file), learner_(std::move(learner)) {
+ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, StoreCalls calls, const CallbackGuard& guard)
+    : nh_(std::move(nh)), file_(file), calls_(std::move(calls)) {
   if (file_.save_at_exit && file_.models_file.empty())
     throw core::ConfigError("save_at_exit is true, and models_file does not say where to save");
   known_fronts_ = nh_.advertise<KnownFrontArray>(
@@ -55,7 +55,7 @@ std::string ModelStore::load(const std::string& file) {
     removed_.loaded(models.fronts);
     restart(models);
   }
-  file_was_good_ = true;
+  calls_.file_was_good();
   const std::string changes = core::inWords(models.changes);
   return std::to_string(models.fronts.size()) + " fronts loaded from '" + file + "'" +
          (changes.empty() ? "" : "; " + changes + ", for 0 is nobody's id");
@@ -71,7 +71,7 @@ std::string ModelStore::save(const std::string& file) {
     removed = removed_.in(file);
   }
   const core::SavedModels saved = core::saveModelFile(file, models, removed);
-  file_was_good_ = true;
+  calls_.file_was_good();
   std::lock_guard<std::mutex> lock(mutex_);
   removed_.saved(file, models.fronts);
   return saved.inWords(file);
@@ -95,7 +95,7 @@ std::string ModelStore::forget(std::uint32_t id) {
     std::lock_guard<std::mutex> lock(mutex_);
     model = known_.forget(id);
     frame = frame_id_;
-    learner_.forget(id);
+    calls_.forget(id);
     removed_.add(model);
     forgotten_.insert(id);
     known_fronts_.publish(listOf({frame_id_, known_.joints()}));
@@ -176,7 +176,7 @@ void ModelStore::restart(const core::ModelFile& models) {
     next_id_ = std::max(next_id_, idAfter(front.model.id));
     forgotten_.erase(front.model.id);
   }
-  learner_.start_from(modelsOf(models.fronts));
+  calls_.start_from(modelsOf(models.fronts));
   known_.replace(models.fronts);
   if (!models.fronts.empty()) frame_id_ = models.frame;
   // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.

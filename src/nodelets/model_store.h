@@ -5,7 +5,6 @@
 #include <cabinet_articulation/TrackArray.h>
 #include <ros/ros.h>
 
-#include <atomic>
 #include <functional>
 #include <mutex>
 #include <set>
@@ -21,10 +20,11 @@
 
 namespace cabinet_articulation {
 
-/// What the learner is told; called with ModelStore::learning() held.
-struct LearnerCalls {
+/// What others are told. The first two are for the learner, and called with ModelStore::learning() held.
+struct StoreCalls {
   std::function<void(const std::vector<core::LearnedModel>& joints)> start_from;  ///< forget everything else
   std::function<void(std::uint32_t id)> forget;
+  std::function<void()> file_was_good;  ///< a file was loaded or saved, so that an earlier error is none any more
 };
 
 /*
@@ -37,7 +37,7 @@ struct LearnerCalls {
 class ModelStore {
  public:
   /// `nh`: where the topic lives. What goes wrong while somebody is told of known fronts goes to the guard.
-  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, LearnerCalls learner, const CallbackGuard& guard);
+  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, StoreCalls calls, const CallbackGuard& guard);
   ~ModelStore() { known_fronts_.shutdown(); }
 
   // Each says how it went; they throw core::ModelFileError, and have changed nothing then.
@@ -50,9 +50,6 @@ class ModelStore {
   /// Forgets one front, here, at the tracker and in models_file. Throws core::ModelError for an id nobody knows.
   std::string forget(std::uint32_t id);
   void reset();
-
-  /// True once a file was loaded or saved, so that an earlier error is none any more.
-  bool fileWasGood() const { return file_was_good_; }
 
   /// To be held while tracks are learned from, from judge() to update(): so a reset comes between two frames.
   std::mutex& learning() { return learning_; }
@@ -92,7 +89,7 @@ class ModelStore {
 
   ros::NodeHandle nh_;
   const ModelFileConfig file_;
-  const LearnerCalls learner_;
+  const StoreCalls calls_;
 
   // Waited for in this order.
   std::mutex filing_;  ///< held while a file is written, and while something is removed from what is known
@@ -106,7 +103,6 @@ class ModelStore {
   std::uint32_t next_id_ = 0;  ///< lower ones are used up; 0: none was seen
   GenerationWatch watch_;
   ros::Publisher known_fronts_;
-  std::atomic<bool> file_was_good_{false};
 };
 
 }  // namespace cabinet_articulation

@@ -63,12 +63,21 @@ bool StageHealth::trouble(const std::string& key, const std::string& text, doubl
   return true;
 }
 
+void StageHealth::setLasting(const std::string& key, const std::string& text) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (text.empty())
+    lasting_.erase(key);
+  else
+    lasting_[key] = text;
+}
+
 void StageHealth::describe(double now, diagnostic_updater::DiagnosticStatusWrapper* status) {
   std::lock_guard<std::mutex> lock(mutex_);
   const double rate = now > last_described_ ? (processed_ - processed_before_) / (now - last_described_) : 0;
   last_described_ = now;
   processed_before_ = processed_;
   summarize(now, rate, status);
+  for (const auto& entry : lasting_) status->add(entry.first, entry.second);
   for (const auto& entry : troubles_)
     if (now - entry.second.reported <= kShowTrouble) status->add(entry.first, entry.second.text);
   status->addf("rate [Hz]", "%.1f", rate);
@@ -79,14 +88,21 @@ void StageHealth::describe(double now, diagnostic_updater::DiagnosticStatusWrapp
   for (const auto& entry : notes_) status->addf(entry.first, "%.4g", entry.second);
 }
 
+std::string StageHealth::lastingText() const {
+  std::string text;
+  for (const auto& entry : lasting_) text += (text.empty() ? "" : "; ") + entry.second;
+  return text;
+}
+
 void StageHealth::summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const {
   if (!refusal_.empty()) return status->summary(DiagnosticStatus::ERROR, "not running: " + refusal_);
-  if (!active_) return status->summary(DiagnosticStatus::OK, "idle: nobody subscribes to its results");
-  if (paused_)
-    return status->summary(DiagnosticStatus::OK,
-                           "simulated time stands still: the bag or the simulation has not started, is paused or over");
+  std::string text = lastingText();
+  const auto rests = [&](const std::string& why) {
+    status->summary(text.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, text.empty() ? why : why + "; " + text);
+  };
+  if (!active_) return rests("idle: nobody subscribes to its results");
+  if (paused_) return rests("simulated time stands still: the bag or the simulation has not started, is paused or over");
   const bool stands_still = now - last_processed_ > kStandstill;
-  std::string text;
   for (const auto& entry : troubles_)
     if (now - entry.second.reported <= kShowTrouble) text += (text.empty() ? "" : "; ") + entry.second.text;
   if (!text.empty()) return status->summary(stands_still ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, text);

@@ -35,6 +35,9 @@ class StageHealth {
   /// True if it is time to log it (again).
   bool trouble(const std::string& key, const std::string& text, double now);
 
+  /// A trouble that stays, also while the stage is idle, until it is set to an empty text.
+  void setLasting(const std::string& key, const std::string& text);
+
   /// The rate is that since the last call.
   void describe(double now, diagnostic_updater::DiagnosticStatusWrapper* status);
 
@@ -46,6 +49,7 @@ class StageHealth {
     double log_again = 0;  ///< [s] after `logged`; grows, so that a trouble that stays does not fill the log
   };
 
+  std::string lastingText() const;
   void summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const;
 
   std::mutex mutex_;
@@ -61,6 +65,7 @@ class StageHealth {
   unsigned dropped_ = 0;
   std::map<std::string, double> notes_;
   std::map<std::string, Trouble> troubles_;
+  std::map<std::string, std::string> lasting_;
 };
 
 }  // namespace cabinet_articulation

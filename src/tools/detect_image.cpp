@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/ros/overlay.h"
 #include "run_program.h"
@@ -67,6 +68,7 @@ std::optional<Options> parseOptions(int argc, char** argv) {
 
 /// [m]
 cv::Mat1f readDepth(const Options& options) {
+  core::requireOrdinaryFile(options.depth);
   const cv::Mat image = cv::imread(options.depth, cv::IMREAD_UNCHANGED);
   if (image.empty()) throw std::runtime_error(options.depth + ": no image, or none that can be read");
   if (image.type() != CV_16UC1 && image.type() != CV_32FC1)

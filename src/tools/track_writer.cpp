@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 
+#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "pose_log.h"
 #include "run_program.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr char kUsage[] = "usage: track_writer IN.bag FOLDER\n";
 
 std::map<std::uint32_t, core::Track> lastTracks(const std::string& path) {
+  core::requireOrdinaryFile(path);
   const rosbag::Bag bag(path, rosbag::bagmode::Read);
   core::TrackAssembly assembly;
   std::map<std::uint32_t, core::Track> ended;

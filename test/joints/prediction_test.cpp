@@ -74,6 +74,8 @@ TEST(Prediction, RefusesWhatHasNoAnswer) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation().x() = kNan;
   EXPECT_THAT([&] { findConfiguration(test::doorModel(), pose); }, ThrowsMessage<ModelError>("the pose is not finite"));
+  pose.translation().x() = 1e300;
+  EXPECT_THAT([&] { findConfiguration(test::doorModel(), pose); }, ThrowsMessage<ModelError>(HasSubstr("the pose's x is 1e+300 m")));
 }
 
 TEST(Configuration, InvertsThePrediction) {
@@ -136,6 +138,10 @@ TEST(HandlePath, RefusesWhatHasNoAnswer) {
   Eigen::Isometry3d nowhere = grasp;
   nowhere.translation().x() = kNan;
   EXPECT_THAT([&] { handlePath(test::doorModel(), nowhere, 0, 1, 5); }, ThrowsMessage<ModelError>("the grasp is not finite"));
+  nowhere.translation().x() = 1e300;
+  EXPECT_THAT([&] { handlePath(test::doorModel(), nowhere, 0, 1, 5); },
+              ThrowsMessage<ModelError>(HasSubstr("the grasp's x is 1e+300 m, expected -100 to 100 m")));
+  EXPECT_THAT([&] { handlePath(test::doorModel(), grasp, 1e300, -1e300, 5); }, ThrowsMessage<ModelError>(HasSubstr("q is 1e+300")));
 }
 
 }  // namespace

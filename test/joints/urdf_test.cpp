@@ -93,5 +93,27 @@ TEST(Urdf, RefusesWhatIsNoJointInUrdf) {
   EXPECT_TRUE(hasUrdf(test::doorModel()));
 }
 
+TEST(Urdf, NamesAreWhatXmlCanHold) {
+  const std::vector<LearnedModel> door{test::doorModel()};
+  const auto rootOf = [&](const std::string& frame) { return urdf::parseURDF(toUrdf(door, frame, "cabinet"))->getRoot()->name; };
+  for (const std::string frame : {"a<b>&\"'c", "k\u00fcche", "\U0001F6AA"}) EXPECT_EQ(rootOf(frame), frame);
+  for (const char* const frame : {"x\x01y", "x\x1fy", "x\xffy", "x\xed\xa0\x80y", "x\xef\xbf\xbey"})
+    EXPECT_THAT([&] { toUrdf(door, frame, "cabinet"); },
+                ThrowsMessage<ModelError>(HasSubstr("which a URDF cannot hold; expected printable UTF-8")))
+        << frame;
+  EXPECT_THAT([&] { toUrdf(door, std::string("x\0y", 3), "cabinet"); },
+              ThrowsMessage<ModelError>(HasSubstr("the frame of the models has the byte 0x00 at position 2")));
+  EXPECT_THAT([&] { toUrdf(door, "odom", "a\x02"); },
+              ThrowsMessage<ModelError>(HasSubstr("the prefix of the names has the byte 0x02 at position 2")));
+  EXPECT_THAT([&] { toUrdf(door, "", "cabinet"); }, ThrowsMessage<ModelError>(HasSubstr("has no name")));
+}
+
+TEST(Urdf, NamesAreThereOnce) {
+  EXPECT_THAT([] { parse({test::doorModel(), test::doorModel()}); },
+              ThrowsMessage<ModelError>(HasSubstr("there are two links 'cabinet_3_base'")));
+  EXPECT_THAT([] { toUrdf({test::doorModel()}, "cabinet_3_front", "cabinet"); },
+              ThrowsMessage<ModelError>(HasSubstr("there are two links 'cabinet_3_front'")));
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

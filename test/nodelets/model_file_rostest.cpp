@@ -161,16 +161,15 @@ TEST_F(ModelFile, ThatIsDamagedAtTheStartIsToldUntilTheNextOneIsSaved) {
   const std::string half = text().substr(0, text().size() / 2);
   std::ofstream(path_) << half;
   loadNodelet();
+  EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("articulation", "kitchen.yaml"); }))
+      << "before any track comes: " << reports_.status("articulation");
   ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
   for (core::Track& track : tracks_) track.observations.clear();
   ASSERT_TRUE(play(300)) << "works without";
   EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("articulation", "kitchen.yaml"); })) << reports_.status("articulation");
   ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
-  double stamp = 400;
-  EXPECT_TRUE(spinUntil([&] {
-    publish(stamp += 0.1);
-    return !reports_.statusHas("articulation", "kitchen.yaml");
-  })) << "a trouble that is over is no longer told";
+  EXPECT_TRUE(spinUntil([&] { return !reports_.statusHas("articulation", "kitchen.yaml"); }))
+      << "a trouble that is over is no longer told";
 }
 
 TEST_F(ModelFile, OfTheTimeWhenIdsBeganAtZeroIsRead) {

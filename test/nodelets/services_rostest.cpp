@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cabinet_articulation/Configuration.h>
+#include <cabinet_articulation/ExportUrdf.h>
 #include <cabinet_articulation/FitTrack.h>
 #include <cabinet_articulation/HandlePath.h>
 #include <cabinet_articulation/KnownFrontArray.h>
@@ -144,6 +145,31 @@ TEST_F(Services, RefusalsSayWhy) {
   track.track.poses[1].position.x = kNan;
   const auto bad_track = call<FitTrack>("fit_track", track);
   refuses("expected finite numbers", bad_track.success, bad_track.message);
+}
+
+TEST_F(Services, RefuseWhatWouldHoldUpTheOtherStages) {
+  play(550);
+  const auto expectRefused = [](const auto& answer, const std::string& words) {
+    EXPECT_FALSE(answer.success);
+    EXPECT_NE(answer.message.find(words), std::string::npos) << answer.message;
+  };
+  const std::uint32_t door = tracks_[0].id;
+  expectRefused(predict(door, std::vector<double>(10001, 0.5)), "there are 10001 openings in q, expected 10000 at most");
+  expectRefused(predict(door, {1e300}), "q is 1e+300 m or rad, expected -100 to 100");
+  EXPECT_TRUE(predict(door, std::vector<double>(10000, 0.5)).success);
+  ExportUrdf::Request ids;
+  ids.ids.assign(10001, door);
+  expectRefused(call<ExportUrdf>("export_urdf", ids), "there are 10001 ids");
+  ids.ids.assign(3, door);
+  const auto urdf = call<ExportUrdf>("export_urdf", ids);
+  EXPECT_TRUE(urdf.success) << "each counts once: " << urdf.message;
+  FitTrack::Request track;
+  track.track = toMessage(tracks_[0], "map");
+  track.track.poses[3].position.y = 1e155;
+  expectRefused(call<FitTrack>("fit_track", track), "pose 3: y is 1e+155 m, expected -10000 to 10000 m");
+  track.track.poses.resize(10001);
+  expectRefused(call<FitTrack>("fit_track", track), "there are 10001 poses");
+  EXPECT_TRUE(predict(door, {0.5}).success) << "what was known stays known";
 }
 
 TEST_F(Services, KnowJointsAlsoAfterTheClockWasSetBack) {

@@ -91,6 +91,23 @@ TEST(StageHealth, SilenceWithoutAReasonIsAWarningToo) {
   EXPECT_EQ(status.message, "no frame for 4 s");
 }
 
+TEST(StageHealth, LastingTroubleIsToldAlsoWhileIdleUntilItIsOver) {
+  StageHealth health;
+  health.setLasting("models_file", "is cut off");
+  auto status = describe(health, 100);
+  EXPECT_EQ(status.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(status.message, "idle: nobody subscribes to its results; is cut off");
+  EXPECT_EQ(valueOf(status, "models_file"), "is cut off");
+  health.setActive(true, 100);
+  health.processed(0.1, 5, 101);
+  health.trouble("input", "P[3] is 0", 101);
+  EXPECT_EQ(describe(health, 102).message, "is cut off; P[3] is 0");
+  health.setPaused(true, 103);
+  EXPECT_EQ(describe(health, 103).level, DiagnosticStatus::WARN);
+  health.setLasting("models_file", "");
+  EXPECT_EQ(describe(health, 103).level, DiagnosticStatus::OK);
+}
+
 TEST(StageHealth, PausedTimeIsNoTrouble) {
   StageHealth health;
   health.setActive(true, 0);

@@ -74,7 +74,7 @@ TEST_F(DetectImage, SaysWhatIsWrong) {
   expect("depth.png overlay.png --fy -1", "--fy is '-1'");
   expect("depth.png --fx 500", "expected a depth image and an overlay");
   expect("depth.png overlay.png --fx 500 --bias 3", "unknown option");
-  expect("missing.png overlay.png --fx 500", "missing.png: no image");
+  expect("missing.png overlay.png --fx 500", "missing.png: cannot be opened: there is no such file");
   expect("depth.png nowhere/overlay.png --fx 500", "cannot be written");
   cv::imwrite(path("color.png"), cv::Mat3b(10, 10));
   expect("color.png overlay.png --fx 500", "16 bit or floating point");
