@@ -33,7 +33,8 @@ void requireOrdinary(const struct stat& status) {
 /// Closes its file at the end.
 class OpenFile {
  public:
-  explicit OpenFile(const std::filesystem::path& path) : file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
+  explicit OpenFile(const std::filesystem::path& path)
+      : file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
     if (file_ < 0) failWithErrno("cannot be opened");
   }
   ~OpenFile() { ::close(file_); }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/articulation/model_registry.h"
+#include "cabinet_articulation/geometry/limits.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -106,6 +107,7 @@ Eigen::Isometry3d pose(const double* n, const std::string& field) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = q.normalized().toRotationMatrix();
   pose.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
+  requireWithin(field.c_str(), pose.translation(), limits::kFromOrigin);
   return pose;
 }
 
@@ -116,16 +118,15 @@ Matrix6d covariance(const double* n) {
   return covariance;
 }
 
-/// 0 is a size nobody knows: a marker's, or that of a log of poses.
-double length(const YAML::Node& node, const std::string& field) {
+double within(const YAML::Node& node, const char* field, const Limit& limit) {
   const double value = number(node, field);
-  if (value < 0) throw std::runtime_error("'" + field + "' is " + toText(value) + ", expected a length");
+  requireWithin(field, value, limit);
   return value;
 }
 
-double share(const YAML::Node& node, const std::string& field) {
+double side(const YAML::Node& node, const char* field) {
   const double value = number(node, field);
-  if (value < 0 || value > 1) throw std::runtime_error("'" + field + "' is " + toText(value) + ", expected 0 to 1");
+  requireSideOrUnknown(field, value);
   return value;
 }
 
@@ -166,7 +167,8 @@ TrackedObservation observationFromYaml(const YAML::Node& node) {
   TrackedObservation observation;
   observation.stamp = checkedStamp(n[0], "observations");
   observation.rectangle = {pose(&n[1], "observations"), n[8], n[9]};
-  if (n[8] < 0 || n[9] < 0) throw std::runtime_error("an observation has a negative size");
+  requireSideOrUnknown("an observation's width", n[8]);
+  requireSideOrUnknown("an observation's height", n[9]);
   for (std::size_t i = 0; i < kEdges; ++i) observation.edge_support[i] = static_cast<float>(n[10 + i]);
   observation.covariance = covariance(&n[10 + kEdges]);
   observation.measured = observation.rectangle;
@@ -217,24 +219,25 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   model.stamp = checkedStamp(number(node["stamp"], "stamp"), "stamp");
   // An older file tells no support, but was written of what had been seen often.
   model.support = node["support"] ? count(node["support"], "support", kLargestId) : kObservationsOfOlderFiles;
-  if (node["doubt"]) model.doubt = share(node["doubt"], "doubt");
+  if (node["doubt"]) model.doubt = within(node["doubt"], "doubt", limits::kShare);
   model.probabilities = numbers(node["probabilities"], "probabilities", modelRegistry().size());
   model.origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");
   model.axis = unitVector(node["axis"], "axis");
   const Numbers point = numbers(node["axis_point"], "axis_point", 3);
   model.axis_point = Eigen::Vector3d(point[0], point[1], point[2]);
+  requireWithin("axis_point", model.axis_point, limits::kFromOrigin);
   for (const YAML::Node& entry : node["curve"]) model.curve.push_back(pose(numbers(entry, "curve", kPose).data(), "curve"));
-  model.radius = number(node["radius"], "radius");
-  model.q = number(node["q"], "q");
-  model.q_min = number(node["q_min"], "q_min");
-  model.q_max = number(node["q_max"], "q_max");
+  model.radius = within(node["radius"], "radius", limits::kRadius);
+  model.q = within(node["q"], "q", limits::kConfiguration);
+  model.q_min = within(node["q_min"], "q_min", limits::kConfiguration);
+  model.q_max = within(node["q_max"], "q_max", limits::kConfiguration);
   if (model.q_min > model.q_max) throw std::runtime_error("'q_min' is more than 'q_max'");
   model.q_min_is_end = flag(node["q_min_is_end"], "q_min_is_end");
   model.q_max_is_end = flag(node["q_max_is_end"], "q_max_is_end");
-  model.width = length(node["width"], "width");
-  model.height = length(node["height"], "height");
-  model.position_error = number(node["position_error"], "position_error");
-  model.orientation_error = number(node["orientation_error"], "orientation_error");
+  model.width = side(node["width"], "width");
+  model.height = side(node["height"], "height");
+  model.position_error = within(node["position_error"], "position_error", limits::kError);
+  model.orientation_error = within(node["orientation_error"], "orientation_error", limits::kError);
   model.covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
   constexpr int kMost = std::numeric_limits<int>::max();
   model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", kMost));

@@ -2,8 +2,9 @@
 #include "cabinet_articulation/joints/prediction.h"
 
 #include <cmath>
+#include <stdexcept>
 
-#include "cabinet_articulation/joints/request_limits.h"
+#include "cabinet_articulation/geometry/limits.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -45,16 +46,15 @@ Matrix6d observationCovariance(const LearnedModel& model) {
 
 UncertainPose predictWithCovariance(const LearnedModel& model, double q) {
   requireJoint(model);
-  requireOpening(q);
+  requireWithin("q", q, limits::kConfiguration);
   const Matrix6d J = axisJacobian(model, q);
   return {model.predict(q), J * model.covariance * J.transpose() + observationCovariance(model)};
 }
 
 NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose) {
   requireJoint(model);
-  if (!pose.matrix().allFinite()) throw ModelError("the pose is not finite");
-  const std::string trouble = positionTrouble(pose.translation());
-  if (!trouble.empty()) throw ModelError("the pose's " + trouble);
+  requireWithin("position", pose.translation(), limits::kFromOrigin);
+  if (!pose.linear().allFinite()) throw std::invalid_argument("the orientation is not finite");
   NearestConfiguration nearest;
   nearest.q = model.configuration(pose);
   const Eigen::Isometry3d predicted = model.predict(nearest.q);
@@ -65,13 +65,11 @@ NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::I
 
 std::vector<UncertainPose> handlePath(const LearnedModel& model, const Eigen::Isometry3d& T_front_grasp, double q_from,
                                       double q_to, int steps) {
-  if (steps < 2 || steps > static_cast<int>(kMostEntries))
-    throw ModelError("steps is " + std::to_string(steps) + ", expected 2 to " + std::to_string(kMostEntries));
-  if (!T_front_grasp.matrix().allFinite()) throw ModelError("the grasp is not finite");
-  const std::string trouble = positionTrouble(T_front_grasp.translation(), kFarthestGrasp);
-  if (!trouble.empty()) throw ModelError("the grasp's " + trouble);
-  requireOpening(q_from);
-  requireOpening(q_to);
+  requireWithin("steps", steps, {2, limits::kMostEntries, "poses"});
+  requireWithin("grasp_point", T_front_grasp.translation(), limits::kFromFront);
+  if (!T_front_grasp.linear().allFinite()) throw std::invalid_argument("grasp_orientation is not finite");
+  requireWithin("q_from", q_from, limits::kConfiguration);
+  requireWithin("q_to", q_to, limits::kConfiguration);
   std::vector<UncertainPose> path;
   for (int i = 0; i < steps; ++i) {
     const UncertainPose front = predictWithCovariance(model, q_from + (q_to - q_from) * i / (steps - 1));

@@ -35,7 +35,7 @@ class ArticulationStage : public StageNodelet {
                            [this] { health().setLasting("models_file", ""); }};
     store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, calls, guard());
     report([this] { return store_->loadAtStart(); });
-    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get());
+    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get(), guard());
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
       auto learner = std::make_unique<core::ArticulationLearner>(tuned);

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/joints/prediction.h"
-#include "cabinet_articulation/joints/request_limits.h"
 #include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/joints.h"
@@ -39,23 +40,28 @@ void ModelServices::advertise(const std::string& name,
                               void (ModelServices::*answer)(const typename Service::Request&, typename Service::Response*)) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
-  const boost::function<bool(Request&, Response&)> callback = [this, answer](Request& request, Response& response) {
-    try {
-      (this->*answer)(request, &response);
-      response.success = true;
-    } catch (const std::exception& error) {
-      response = Response();
-      response.success = false;
-      response.message = error.what();
-    }
+  const boost::function<bool(Request&, Response&)> callback = [this, answer, name](Request& request, Response& response) {
+    response.message = "an error of the stage, see /diagnostics";
+    guard_(name, [&] {
+      try {
+        Response good;
+        (this->*answer)(request, &good);
+        response = std::move(good);
+        response.success = true;
+      } catch (const std::runtime_error& refusal) {
+        response.message = refusal.what();
+      } catch (const std::invalid_argument& refusal) {
+        response.message = refusal.what();
+      }
+    });
     return true;
   };
   servers_.push_back(nh_.advertiseService<Request, Response>(name, callback));
 }
 
 ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const std::string& models_file,
-                             ModelStore* store)
-    : nh_(std::move(nh)), models_file_(models_file), store_(*store), config_(config) {
+                             ModelStore* store, const CallbackGuard& guard)
+    : nh_(std::move(nh)), models_file_(models_file), store_(*store), guard_(guard), config_(config) {
   advertise<Predict>("predict", &ModelServices::predict);
   advertise<Configuration>("configuration", &ModelServices::configuration);
   advertise<FitTrack>("fit_track", &ModelServices::fitTrack);
@@ -86,7 +92,7 @@ core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* he
 void ModelServices::predict(const Predict::Request& request, Predict::Response* response) {
   const core::LearnedModel model = modelOf(request.id, &response->header);
   if (request.q.empty()) throw core::ModelError("q is empty, expected the openings to predict");
-  core::requireFewEntries(request.q.size(), "openings in q");
+  core::requireAtMost("openings in q", request.q.size(), core::limits::kMostEntries);
   for (const double q : request.q) response->poses.push_back(withCovariance(core::predictWithCovariance(model, q)));
   const auto [lowest, highest] = std::minmax_element(request.q.begin(), request.q.end());
   response->message = core::outsideSeenRange(model, *lowest, *highest);
@@ -103,9 +109,7 @@ void ModelServices::configuration(const Configuration::Request& request, Configu
 }
 
 void ModelServices::fitTrack(const FitTrack::Request& request, FitTrack::Response* response) {
-  core::requireFewEntries(request.track.poses.size(), "poses");
   const core::Track track = wholeTrack(request.track);
-  core::requireSaneTrack(track);
   if (track.observations.empty()) throw core::ModelError("the track has no poses");
   core::ArticulationConfig config;
   {
@@ -140,7 +144,7 @@ void ModelServices::loadModels(const LoadModels::Request& request, LoadModels::R
 void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response) {
   std::vector<core::LearnedModel> models;
   std::string frame_id;
-  core::requireFewEntries(request.ids.size(), "ids");
+  core::requireAtMost("ids", request.ids.size(), core::limits::kMostEntries);
   for (const std::uint32_t id : std::set<std::uint32_t>(request.ids.begin(), request.ids.end()))
     models.push_back(store_.modelOf(id, &frame_id));
   if (request.ids.empty())

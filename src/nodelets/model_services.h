@@ -25,8 +25,10 @@ namespace cabinet_articulation {
 /// none.
 class ModelServices {
  public:
-  /// `nh`: where the services live. `store` lives longer than they.
-  ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const std::string& models_file, ModelStore* store);
+  /// `nh`: where the services live. `store` lives longer than they. A refused request is told to whoever asked; whatever else
+  /// goes wrong goes to the guard too.
+  ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const std::string& models_file, ModelStore* store,
+                const CallbackGuard& guard);
 
   /// Ends the services, and waits for calls that are running.
   void shutdown();
@@ -54,6 +56,7 @@ class ModelServices {
   ros::NodeHandle nh_;
   const std::string models_file_;
   ModelStore& store_;
+  const CallbackGuard guard_;
   std::mutex mutex_;  ///< guards the settings
   core::ArticulationConfig config_;
   std::vector<ros::ServiceServer> servers_;

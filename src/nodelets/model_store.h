@@ -14,7 +14,7 @@
 #include "cabinet_articulation/joints/known_fronts.h"
 #include "cabinet_articulation/joints/model_file.h"
 #include "cabinet_articulation/joints/removed_fronts.h"
-#include "callback_guard.h"
+#include "cabinet_articulation/ros/callback_guard.h"
 #include "generation_watch.h"
 #include "settings.h"
 

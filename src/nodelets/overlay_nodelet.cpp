@@ -118,7 +118,7 @@ class OverlayStage : public StageNodelet {
   }
 
   FrameInputConfig input_;
-  TransformSource transforms_;
+  TransformSource transforms_{guard()};
   MarkerHistory history_;
   RecentMessages<sensor_msgs::Image> images_{kDepth};
   RecentMessages<RectangleArray> recent_rectangles_{kDepth};

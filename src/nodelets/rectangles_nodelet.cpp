@@ -147,7 +147,7 @@ class RectanglesStage : public StageNodelet {
 
   std::unique_ptr<core::RectangleDetector> detector_;
   std::atomic<bool> use_tracks_{true};  ///< of the settings, which may change while a frame waits
-  TransformSource transforms_;
+  TransformSource transforms_{guard()};
   ExpectedInbox expected_;
   // Of the callbacks.
   PlaneArrayConstPtr early_planes_;  ///< their frame is not complete yet

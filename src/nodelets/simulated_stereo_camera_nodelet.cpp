@@ -15,10 +15,10 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <thread>
 
+#include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/parameters.h"
 #include "cabinet_articulation/ros/simulation_conversions.h"
-#include "callback_guard.h"
 #include "settings.h"
 
 namespace cabinet_articulation {

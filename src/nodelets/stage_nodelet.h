@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/live_settings.h"
 #include "cabinet_articulation/ros/parameters.h"
-#include "callback_guard.h"
 #include "latest_worker.h"
 #include "settings.h"
 #include "stage_health.h"
@@ -74,7 +74,8 @@ class StageNodelet : public nodelet::Nodelet {
       *tuned = changed;
       return toTuning(changed);
     };
-    live_settings_ = std::make_unique<LiveSettings>(getPrivateNodeHandle(), describeForTuning<Config>(), toTuning(config), set);
+    live_settings_ =
+        std::make_unique<LiveSettings>(getPrivateNodeHandle(), describeForTuning<Config>(), toTuning(config), set, guard_);
   }
 
   /// An output whose subscribers make the stage work. `greet` tells a new subscriber what it missed.

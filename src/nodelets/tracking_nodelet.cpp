@@ -108,9 +108,17 @@ class TrackingStage : public StageNodelet {
       known.swap(new_known_);
     }
     if (!known) return;
+    std::vector<core::Track> fronts;
+    try {
+      fronts = fromMessage(*known);
+    } catch (const std::invalid_argument& error) {
+      trouble("known fronts", known_fronts_.topic() + ": " + error.what() + "; what was known before is kept");
+      return;
+    }
     const bool anew = known->generation != generation_;
     generation_ = known->generation;
-    known_ = known;
+    known_ = std::move(fronts);
+    known_frame_ = known->header.frame_id;
     tracker_->useIdsFrom(known->next_id);
     for (const std::uint32_t id : known->forgotten) tracker_->forget(id);
     if (anew)
@@ -127,26 +135,25 @@ class TrackingStage : public StageNodelet {
   }
 
   void remember(const std_msgs::Header& header) {
-    if (!known_ || known_->tracks.empty()) return;
-    if (known_->header.frame_id != header.frame_id) {
-      trouble("known fronts", "known fronts are in the frame '" + known_->header.frame_id + "' and tracks in '" +
-                                  header.frame_id + "'; they are not used");
+    if (known_.empty()) return;
+    if (known_frame_ != header.frame_id) {
+      trouble("known fronts",
+              "known fronts are in the frame '" + known_frame_ + "' and tracks in '" + header.frame_id + "'; they are not used");
       return;
     }
-    std::vector<core::Track> fronts;
-    for (const Track& track : known_->tracks) fronts.push_back(wholeTrack(track));
-    tracker_->remember(std::move(fronts));
+    tracker_->remember(known_);
   }
 
   FixedFrameConfig fixed_frame_;
   std::unique_ptr<core::RectangleTracker> tracker_;
   core::TrackUpdates updates_;
   std::atomic<bool> somebody_joined_{false};  ///< since the last frame
-  TransformSource transforms_;
+  TransformSource transforms_{guard()};
   ClockJump clock_jump_;
   std::mutex known_mutex_;
   KnownFrontArrayConstPtr new_known_;  ///< not taken over yet
-  KnownFrontArrayConstPtr known_;
+  std::vector<core::Track> known_;
+  std::string known_frame_;
   std::string frame_id_;          ///< of the tracks
   std::uint32_t generation_ = 0;  ///< of the known fronts the tracker started from
   ros::Publisher tracks_;

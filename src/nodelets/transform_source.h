@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/time.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <ros/callback_queue.h>
+#include <ros/spinner.h>
+#include <ros/subscriber.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/clock_jump.h"
 
 namespace cabinet_articulation {
 
-/// tf as the stages need it. Forgets what it heard when stamps jump back (a looped bag): tf ignores everything that is older
-/// than what it knows.
+/*
+ * tf as the stages need it. Forgets what it heard when stamps or the clock jump back (a looped bag): tf ignores everything that
+ * is older than what it knows.
+ *
+ * Subscribes by itself, for tf2_ros::TransformListener lets a stamp near the end of time end the process.
+ */
 class TransformSource {
  public:
+  /// Transforms that no robot has go to the guard.
+  explicit TransformSource(const CallbackGuard& guard) : guard_(guard) {}
+
   /// Begins to hear tf. A stage that will need it says so early: connecting takes longer than a frame, and what was sent before
   /// is lost. Otherwise the first question that needs an answer begins.
   void listen();
@@ -27,10 +37,18 @@ class TransformSource {
   Eigen::Isometry3d lookup(const std::string& target, const std::string& source, const ros::Time& stamp, double patience);
 
  private:
+  ros::Subscriber subscribe(ros::NodeHandle& nh, const std::string& topic, bool is_static);
+  void add(const tf2_msgs::TFMessage& message, bool is_static);
+
+  const CallbackGuard guard_;
   ClockJump clock_jump_;
   std::once_flag listening_;
-  std::unique_ptr<tf2_ros::Buffer> buffer_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;
+  tf2::BufferCore buffer_;
+  ros::Time last_heard_;
+  // In this order, so that no callback runs when the others end.
+  ros::CallbackQueue queue_;
+  ros::Subscriber moving_, static_;
+  std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
 
 }  // namespace cabinet_articulation

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <string>
 
-#include "cabinet_articulation/ros/limits.h"
-#include "callback_guard.h"
+#include "cabinet_articulation/ros/callback_guard.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/ros/limits.h"
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "from_messages.h"
 
@@ -15,26 +15,35 @@ namespace cabinet_articulation {
 namespace {
 
 void requireSane(const Rectangle& message) {
-  requireWithin("width", message.width, limits::kSide);
-  requireWithin("height", message.height, limits::kSide);
-  requireCovariance(message.pose.covariance.data());
-  requireWithin("precision", message.precision, limits::kQuality);
-  requireWithin("recall", message.recall, limits::kQuality);
-  for (const float support : message.edge_support) requireWithin("edge_support", support, limits::kShare);
-  requireWithin("plane", message.plane, {0, std::numeric_limits<int>::max(), "(an index)"});
+  core::requireWithin("width", message.width, core::limits::kSide);
+  core::requireWithin("height", message.height, core::limits::kSide);
+  core::requireCovariance("covariance", message.pose.covariance.data());
+  core::requireWithin("precision", message.precision, core::limits::kQuality);
+  core::requireWithin("recall", message.recall, core::limits::kQuality);
+  for (const float support : message.edge_support) core::requireWithin("edge_support", support, core::limits::kShare);
+  core::requireWithin("plane", message.plane, {0, std::numeric_limits<int>::max(), "(an index)"});
 }
 
 /// The closed position and what follows from it may be unknown, NaN; all else must be numbers.
 void requireSane(const ArticulationModel& message) {
-  requireSideOrUnknown("width", message.width);
-  requireSideOrUnknown("height", message.height);
-  requireWithin("q", message.q, limits::kConfiguration);
-  requireWithin("q_min", message.q_min, limits::kConfiguration);
-  requireWithin("q_max", message.q_max, limits::kConfiguration);
-  requireWithin("radius", message.radius, limits::kFromOrigin);
-  requireWithin("pitch", message.pitch, limits::kConfiguration);
-  requireWithin("length of axis", fromMessage(message.axis).norm(), {0, limits::kUnitLength.max, limits::kUnitLength.unit});
-  requireWithin("distance of axis_point", fromMessage(message.axis_point).norm(), limits::kFromOrigin);
+  core::requireSideOrUnknown("width", message.width);
+  core::requireSideOrUnknown("height", message.height);
+  core::requireWithin("q", message.q, core::limits::kConfiguration);
+  core::requireWithin("q_min", message.q_min, core::limits::kConfiguration);
+  core::requireWithin("q_max", message.q_max, core::limits::kConfiguration);
+  core::requireWithin("radius", message.radius, core::limits::kRadius);
+  core::requireWithin("pitch", message.pitch, core::limits::kConfiguration);
+  core::requireWithin("length of axis", fromMessage(message.axis).norm(),
+                      {0, core::limits::kUnitLength.max, core::limits::kUnitLength.unit});
+  core::requireWithin("axis_point", fromMessage(message.axis_point), core::limits::kFromOrigin);
+  for (const double value : message.covariance) core::requireWithin("covariance", value, core::limits::kJointVariance);
+  core::requireWithin("position_error", message.position_error, core::limits::kError);
+  core::requireWithin("orientation_error", message.orientation_error, core::limits::kError);
+  core::requireWithin("observations", message.observations, {0, std::numeric_limits<int>::max(), "(a number)"});
+  core::requireAtMost("probabilities", message.probabilities.size(), core::modelRegistry().size());
+  for (const double probability : message.probabilities) core::requireWithin("probabilities", probability, core::limits::kShare);
+  core::requireAtMost("poses in curve", message.curve.size(), core::limits::kMostEntries);
+  core::requireAtMost("params", message.params.size(), core::limits::kMostEntries);
 }
 
 }  // namespace
@@ -56,7 +65,7 @@ core::DetectedRectangle fromMessage(const Rectangle& message) {
   requireSane(message);
   core::DetectedRectangle rectangle;
   rectangle.rectangle = {fromMessage(message.pose.pose), message.width, message.height};
-  requireWithin("distance", rectangle.rectangle.center().norm(), limits::kFromCamera);
+  core::requireWithin("distance", rectangle.rectangle.center().norm(), core::limits::kFromCamera);
   rectangle.covariance = fromMessage(message.pose.covariance);
   rectangle.precision = message.precision;
   rectangle.recall = message.recall;
@@ -74,7 +83,7 @@ RectangleArray toMessage(const std::vector<core::DetectedRectangle>& rectangles,
 }
 
 std::vector<core::DetectedRectangle> fromMessage(const RectangleArray& message) {
-  return fromMessages<core::DetectedRectangle>(message.rectangles, "rectangles");
+  return fromMessages<core::DetectedRectangle>(message.rectangles, "rectangles", core::limits::kMostFronts);
 }
 
 ArticulationModel toMessage(const core::LearnedModel& model, const std::string& frame_id) {
@@ -176,7 +185,7 @@ ArticulationModelArray toMessage(const std::vector<core::LearnedModel>& models, 
 }
 
 std::vector<core::LearnedModel> fromMessage(const ArticulationModelArray& message) {
-  return fromMessages<core::LearnedModel>(message.models, "models");
+  return fromMessages<core::LearnedModel>(message.models, "models", core::limits::kMostFronts);
 }
 
 }  // namespace cabinet_articulation

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
-#include "cabinet_articulation/ros/limits.h"
+#include "cabinet_articulation/geometry/limits.h"
+#include "from_messages.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -22,13 +22,6 @@ std::array<double, 12> projection(const sensor_msgs::CameraInfo& info) {
 }
 
 [[noreturn]] void fail(const std::string& topic, const std::string& text) { throw std::invalid_argument(topic + ": " + text); }
-
-template <class Value, class Expected>
-[[noreturn]] void wrong(const std::string& topic, const char* element, const Value& value, const Expected& expected) {
-  std::ostringstream text;
-  text << element << " is " << value << ", expected " << expected;
-  fail(topic, text.str());
-}
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
@@ -74,14 +67,14 @@ void fillImage(const cv::Mat& pixels, const std_msgs::Header& header, const std:
 }
 
 const core::StereoCamera& requireSane(const core::StereoCamera& camera) {
-  requireWithin("width", camera.width, limits::kImageSide);
-  requireWithin("height", camera.height, limits::kImageSide);
-  requireWithin("focal length fx (P[0])", camera.fx, limits::kFocalLength);
-  requireWithin("focal length fy (P[5])", camera.fy, limits::kFocalLength);
-  requireWithin("principal point cx (P[2])", camera.cx, limits::kPrincipalPoint);
-  requireWithin("principal point cy (P[6])", camera.cy, limits::kPrincipalPoint);
-  requireWithin("right camera's baseline (-P[3] / P[0])", camera.baseline, limits::kBaseline);
-  requireWithin("right camera's cx (left P[2] - right P[2])", camera.cx_difference, limits::kPrincipalPoint);
+  core::requireWithin("width", camera.width, core::limits::kImageSide);
+  core::requireWithin("height", camera.height, core::limits::kImageSide);
+  core::requireWithin("focal length fx (P[0])", camera.fx, core::limits::kFocalLength);
+  core::requireWithin("focal length fy (P[5])", camera.fy, core::limits::kFocalLength);
+  core::requireWithin("principal point cx (P[2])", camera.cx, core::limits::kPrincipalPoint);
+  core::requireWithin("principal point cy (P[6])", camera.cy, core::limits::kPrincipalPoint);
+  core::requireWithin("right camera's baseline (-P[3] / P[0])", camera.baseline, core::limits::kBaseline);
+  core::requireWithin("right camera's cx (left P[2] - right P[2])", camera.cx_difference, core::limits::kPrincipalPoint);
   return camera;
 }
 
@@ -90,17 +83,17 @@ size_t mostCorners(const sensor_msgs::Image& mask) { return 2 * (static_cast<siz
 
 void requireSane(const Plane& message) {
   const auto& n = message.coefficients;
-  requireWithin("length of coefficients[0..2]", std::hypot(n[0], n[1], n[2]), limits::kUnitLength);
-  requireWithin("coefficients[3]", n[3], limits::kPlaneOffset);
-  for (const double value : message.disparity_plane) requireWithin("disparity_plane", value, limits::kDisparityPlane);
+  core::requireWithin("length of coefficients[0..2]", std::hypot(n[0], n[1], n[2]), core::limits::kUnitLength);
+  core::requireWithin("coefficients[3]", n[3], core::limits::kPlaneOffset);
+  for (const double value : message.disparity_plane) core::requireWithin("disparity_plane", value, core::limits::kDisparityPlane);
   const double width = message.mask.width, height = message.mask.height;
-  requireWithin("inliers", message.inliers, {0, width * height, "px, as the mask has"});
-  requireWithin("number of hull's corners", static_cast<double>(message.hull.size()),
-                {0, static_cast<double>(mostCorners(message.mask)), "for a mask of this size"});
-  const double margin = limits::kHullMargin.max;
+  core::requireWithin("inliers", message.inliers, {0, width * height, "px, as the mask has"});
+  core::requireWithin("number of hull's corners", static_cast<double>(message.hull.size()),
+                      {0, static_cast<double>(mostCorners(message.mask)), "for a mask of this size"});
+  const double margin = core::limits::kHullMargin.max;
   for (const geometry_msgs::Point32& corner : message.hull) {
-    requireWithin("hull's x", corner.x, {-margin * width, (1 + margin) * width, "px, near the image"});
-    requireWithin("hull's y", corner.y, {-margin * height, (1 + margin) * height, "px, near the image"});
+    core::requireWithin("hull's x", corner.x, {-margin * width, (1 + margin) * width, "px, near the image"});
+    core::requireWithin("hull's y", corner.y, {-margin * height, (1 + margin) * height, "px, near the image"});
   }
 }
 
@@ -137,9 +130,12 @@ core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std:
 core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparity, const std::string& topic,
                                      const sensor_msgs::CameraInfo& left, const std::string& left_topic,
                                      const sensor_msgs::CameraInfo* right) {
-  const auto known = [](double value, const Limit& limit) { return value >= limit.min && value <= limit.max; };
-  if (!known(disparity.f, limits::kFocalLength)) wrong(topic, "f", disparity.f, "the focal length in pixels, 1 to 100000");
-  if (!known(disparity.T, limits::kBaseline)) wrong(topic, "T", disparity.T, "the baseline in metres, 0.001 to 10");
+  try {
+    core::requireWithin("focal length f", disparity.f, core::limits::kFocalLength);
+    core::requireWithin("baseline T", disparity.T, core::limits::kBaseline);
+  } catch (const std::invalid_argument& error) {
+    fail(topic, error.what());
+  }
   std::array<double, 12> P_right = projection(left);
   if (right && computedFrom(disparity, left, *right)) {
     P_right = projection(*right);
@@ -230,16 +226,7 @@ core::PlaneRegion fromMessage(const Plane& message) {
 }
 
 std::vector<core::PlaneRegion> fromMessage(const PlaneArray& message) {
-  std::vector<core::PlaneRegion> regions;
-  regions.reserve(message.planes.size());
-  for (const Plane& plane : message.planes) {
-    try {
-      regions.push_back(fromMessage(plane));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("planes[" + std::to_string(regions.size()) + "]: " + error.what());
-    }
-  }
-  return regions;
+  return fromMessages<core::PlaneRegion>(message.planes, "planes", core::limits::kMostFronts);
 }
 
 }  // namespace cabinet_articulation

@@ -102,8 +102,8 @@ core::ConfigValues fromTuning(const dynamic_reconfigure::Config& tuning) {
 }
 
 LiveSettings::LiveSettings(const ros::NodeHandle& private_nh, const dynamic_reconfigure::ConfigDescription& description,
-                           const dynamic_reconfigure::Config& current, Apply apply)
-    : nh_(private_nh), apply_(std::move(apply)), current_(current) {
+                           const dynamic_reconfigure::Config& current, Apply apply, const CallbackGuard& guard)
+    : nh_(private_nh), apply_(std::move(apply)), guard_(guard), current_(current) {
   constexpr bool kLatched = true;
   descriptions_ = nh_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, kLatched);
   updates_ = nh_.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, kLatched);
@@ -116,12 +116,10 @@ void LiveSettings::shutdown() { server_.shutdown(); }
 
 bool LiveSettings::set(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response) {
   std::lock_guard<std::mutex> lock(mutex_);
-  try {
+  guard_("set_parameters", [&] {
     current_ = apply_(fromTuning(request.config));
     publish();
-  } catch (const std::exception& error) {
-    ROS_ERROR("%s: %s; nothing is changed", nh_.getNamespace().c_str(), error.what());
-  }
+  });
   response.config = current_;
   return true;
 }

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/geometry/message_precision.h"
-#include "cabinet_articulation/ros/limits.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -47,17 +47,9 @@ geometry_msgs::Pose toMessage(const Eigen::Isometry3d& pose) {
 Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& message) {
   const Eigen::Vector3d p = fromMessage(message.position);
   const Eigen::Quaterniond q(message.orientation.w, message.orientation.x, message.orientation.y, message.orientation.z);
-  std::ostringstream text;
-  if (!p.allFinite()) {
-    text << "position is (" << p.x() << ", " << p.y() << ", " << p.z() << "), expected finite numbers";
-    throw std::invalid_argument(text.str());
-  }
-  if (p.cwiseAbs().maxCoeff() > limits::kFromOrigin.max) {
-    text << "position is (" << p.x() << ", " << p.y() << ", " << p.z() << "), expected coordinates up to "
-         << limits::kFromOrigin.max << " " << limits::kFromOrigin.unit;
-    throw std::invalid_argument(text.str());
-  }
+  core::requireWithin("position", p, core::limits::kFromOrigin);
   if (!(std::abs(q.norm() - 1) <= kQuaternionTolerance)) {
+    std::ostringstream text;
     text << "orientation has length " << q.norm() << ", expected a unit quaternion";
     throw std::invalid_argument(text.str());
   }
@@ -83,6 +75,12 @@ ros::Time toStamp(double seconds) {
   if (!(seconds > 0)) return {};
   if (seconds >= ros::TIME_MAX.toSec()) return ros::TIME_MAX;
   return ros::Time().fromSec(seconds);
+}
+
+void requireStamp(const char* element, const ros::Time& stamp) {
+  if (stamp.sec <= core::limits::kLastSecond) return;
+  throw std::invalid_argument(std::string(element) + " is " + std::to_string(stamp.sec) + " s, expected " +
+                              std::to_string(core::limits::kLastSecond) + " s at most: time of ROS ends soon after");
 }
 
 double secondsBetween(const ros::Time& earlier, const ros::Time& later) {

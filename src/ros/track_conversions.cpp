@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "from_messages.h"
 
@@ -65,7 +65,7 @@ void read(const Lists& lists, const std::string& prefix, std::vector<UncertainRe
   requireLength(prefix + "widths", widths.size(), count, 1, true);
   requireLength(prefix + "heights", heights.size(), count, 1, true);
   requireLength(prefix + "covariances", covariances.size(), count, 36, true);
-  const auto decoded = fromMessages<Eigen::Isometry3d>(poses, prefix + "poses");
+  const auto decoded = fromMessages<Eigen::Isometry3d>(poses, prefix + "poses", core::limits::kMostEntries);
   for (size_t i = 0; i < count; ++i) {
     auto& [rectangle, covariance] = (*rectangles)[i];
     if (!decoded.empty()) rectangle.pose = decoded[i];
@@ -86,16 +86,17 @@ TrackArray toTrackArray(const std::vector<Element>& tracks, const std_msgs::Head
 
 /// Numbers alone, not whether the lists agree.
 void requireSane(const Track& message) {
-  requireSideOrUnknown("width", message.width);
-  requireSideOrUnknown("height", message.height);
+  core::requireSideOrUnknown("width", message.width);
+  core::requireSideOrUnknown("height", message.height);
   for (const ros::Time& stamp : message.stamps) requireStamp("stamps", stamp);
-  for (const double width : message.widths) requireSideOrUnknown("widths", width);
-  for (const double height : message.heights) requireSideOrUnknown("heights", height);
-  for (const double width : message.measured_widths) requireSideOrUnknown("measured_widths", width);
-  for (const double height : message.measured_heights) requireSideOrUnknown("measured_heights", height);
-  for (const double value : message.covariances) requireWithin("covariances", value, limits::kVariance);
-  for (const double value : message.measured_covariances) requireWithin("measured_covariances", value, limits::kVariance);
-  for (const float support : message.edge_support) requireWithin("edge_support", support, limits::kShare);
+  for (const double width : message.widths) core::requireSideOrUnknown("widths", width);
+  for (const double height : message.heights) core::requireSideOrUnknown("heights", height);
+  for (const double width : message.measured_widths) core::requireSideOrUnknown("measured_widths", width);
+  for (const double height : message.measured_heights) core::requireSideOrUnknown("measured_heights", height);
+  for (const double value : message.covariances) core::requireWithin("covariances", value, core::limits::kVariance);
+  for (const double value : message.measured_covariances)
+    core::requireWithin("measured_covariances", value, core::limits::kVariance);
+  for (const float support : message.edge_support) core::requireWithin("edge_support", support, core::limits::kShare);
 }
 
 }  // namespace
@@ -130,6 +131,7 @@ Track toMessage(const core::TrackUpdate& update, const std::string& frame_id) {
 
 core::TrackUpdate fromMessage(const Track& message) {
   const size_t count = message.poses.size();
+  core::requireAtMost("poses", count, core::limits::kMostEntries);
   requireLength("stamps", message.stamps.size(), count, 1, false);
   requireLength("edge_support", message.edge_support.size(), count, 4, true);
   requireSane(message);
@@ -164,6 +166,11 @@ core::Track wholeTrack(const Track& message) {
   return fromMessage(message).track;
 }
 
+std::vector<core::Track> fromMessage(const KnownFrontArray& message) {
+  core::requireAtMost("forgotten ids", message.forgotten.size(), core::limits::kMostEntries);
+  return convertAll<core::Track>(message.tracks, "tracks", core::limits::kMostEntries, wholeTrack);
+}
+
 TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header) {
   return toTrackArray(tracks, header);
 }
@@ -173,7 +180,7 @@ TrackArray toMessage(const std::vector<core::TrackUpdate>& updates, const std_ms
 }
 
 std::vector<core::TrackUpdate> fromMessage(const TrackArray& message) {
-  std::vector<core::TrackUpdate> updates = fromMessages<core::TrackUpdate>(message.tracks, "tracks");
+  std::vector<core::TrackUpdate> updates = fromMessages<core::TrackUpdate>(message.tracks, "tracks", core::limits::kMostFronts);
   std::set<std::uint32_t> ids;
   for (size_t i = 0; i < updates.size(); ++i) {
     const core::Track& track = updates[i].track;
@@ -213,18 +220,18 @@ core::ExpectedFront fromMessage(const ExpectedFront& message) {
   front.velocity = fromMessage(message.velocity);
   front.angular_velocity = fromMessage(message.angular_velocity);
   requireStamp("stamp", message.stamp);
-  requireSideOrUnknown("width", message.width);
-  requireSideOrUnknown("height", message.height);
-  requireWithin("length of velocity", front.velocity.norm(), limits::kSpeed);
-  requireWithin("length of angular_velocity", front.angular_velocity.norm(), limits::kTurnRate);
+  core::requireSideOrUnknown("width", message.width);
+  core::requireSideOrUnknown("height", message.height);
+  core::requireWithin("length of velocity", front.velocity.norm(), core::limits::kSpeed);
+  core::requireWithin("length of angular_velocity", front.angular_velocity.norm(), core::limits::kTurnRate);
   return front;
 }
 
 core::ExpectedFronts fromMessage(const ExpectedFrontArray& message) {
   core::ExpectedFronts expected;
   expected.horizon = message.horizon;
-  requireWithin("horizon", expected.horizon, limits::kHorizon);
-  expected.fronts = fromMessages<core::ExpectedFront>(message.fronts, "fronts");
+  core::requireWithin("horizon", expected.horizon, core::limits::kHorizon);
+  expected.fronts = fromMessages<core::ExpectedFront>(message.fronts, "fronts", core::limits::kMostFronts);
   return expected;
 }
 

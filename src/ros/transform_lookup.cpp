@@ -2,6 +2,10 @@
 #include "cabinet_articulation/ros/transform_lookup.h"
 
 #include <cmath>
+#include <stdexcept>
+
+#include "cabinet_articulation/geometry/limits.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -13,7 +17,28 @@ double rounded(double value) {
   return std::round(value * kStepsPerUnit) / kStepsPerUnit;
 }
 
+void requireSane(const geometry_msgs::TransformStamped& message) {
+  requireStamp("stamp", message.header.stamp);
+  const geometry_msgs::Vector3& t = message.transform.translation;
+  core::requireWithin("translation", Eigen::Vector3d(t.x, t.y, t.z), core::limits::kFromOrigin);
+  const geometry_msgs::Quaternion& q = message.transform.rotation;
+  core::requireWithin("length of rotation", Eigen::Vector4d(q.x, q.y, q.z, q.w).norm(), core::limits::kUnitLength);
+}
+
 }  // namespace
+
+void addTransforms(const tf2_msgs::TFMessage& message, bool is_static, tf2::BufferCore* buffer) {
+  std::string wrong;
+  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+    try {
+      requireSane(transform);
+      buffer->setTransform(transform, "tf", is_static);
+    } catch (const std::exception& error) {
+      wrong = "the transform from '" + transform.child_frame_id + "' to '" + transform.header.frame_id + "': " + error.what();
+    }
+  }
+  if (!wrong.empty()) throw std::invalid_argument(wrong);
+}
 
 std::string tfName(const std::string& frame) { return !frame.empty() && frame[0] == '/' ? frame.substr(1) : frame; }
 

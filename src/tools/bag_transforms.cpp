@@ -4,18 +4,33 @@
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "cabinet_articulation/ros/pose_conversions.h"
 #include "cabinet_articulation/ros/transform_lookup.h"
 
 namespace cabinet_articulation {
+namespace {
+
+constexpr double kLag = 3600;     ///< [s] stamps may lag behind the recording
+constexpr double kLongest = 4e6;  ///< [s] 46 days; tf adds it to stamps, which end at limits::kLastSecond and some 57 days
+
+}  // namespace
+
 BagTransforms::BagTransforms(const rosbag::Bag& bag) {
   rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{"/tf", "tf", "/tf_static", "tf_static"}));
-  const ros::Duration length = view.size() > 0 ? view.getEndTime() - view.getBeginTime() : ros::Duration(0);
-  buffer_ = std::make_unique<tf2::BufferCore>(length + ros::Duration(3600));  // stamps may lag behind the recording
+  const double length = view.size() > 0 ? secondsBetween(view.getBeginTime(), view.getEndTime()) : 0;
+  buffer_ = std::make_unique<tf2::BufferCore>(ros::Duration(std::min(length, kLongest) + kLag));
   for (const rosbag::MessageInstance& instance : view) {
     const auto message = instance.instantiate<tf2_msgs::TFMessage>();
     if (!message) continue;
     const bool is_static = instance.getTopic().find("static") != std::string::npos;
-    for (const auto& transform : message->transforms) buffer_->setTransform(transform, "bag", is_static);
+    try {
+      addTransforms(*message, is_static, buffer_.get());
+    } catch (const std::invalid_argument& error) {
+      left_out_ = instance.getTopic() + ": " + error.what();
+    }
   }
 }
 

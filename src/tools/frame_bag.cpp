@@ -3,11 +3,13 @@
 
 #include <rosbag/view.h>
 
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -59,6 +61,18 @@ std::string sizeTrouble(const sensor_msgs::Image& left, const sensor_msgs::Image
          sizeText(left_info) + " and " + sizeText(right_info);
 }
 
+/// What `view` makes of messages; nothing, and counted, where it refuses them.
+template <class View>
+std::optional<FrameViews> usable(const std_msgs::Header& header, const View& view, SkippedFrames* skipped) {
+  try {
+    requireStamp("header.stamp", header.stamp);
+    return view();
+  } catch (const std::invalid_argument& error) {
+    skipped->add("messages that cannot be used", error.what());
+    return {};
+  }
+}
+
 }  // namespace
 
 FrameBag::FrameBag(const std::string& path, const std::string& input, const std::string& camera) : path_(path) {
@@ -94,10 +108,10 @@ void FrameBag::forEachPair(const Callback& callback, SkippedFrames* skipped) {
     const std_msgs::Header& header = pair->left->header;
     const auto left = infoAt(left_infos, header.stamp), right = infoAt(right_infos, header.stamp);
     const std::string trouble = sizeTrouble(*pair->left, *pair->right, *left, *right);
-    if (trouble.empty())
-      callback(header, viewPair(*pair, *left, *right));
-    else
+    if (!trouble.empty())
       skipped->add("left and right image and their CameraInfos differ in size", trouble);
+    else if (const auto views = usable(header, [&] { return viewPair(*pair, *left, *right); }, skipped))
+      callback(header, *views);
   }
   matcher.giveUpAll();
 }
@@ -120,13 +134,8 @@ void FrameBag::forEachDepth(const Callback& callback, SkippedFrames* skipped) {
   FrameInputConfig config;
   config.input = input_.kind;
   FrameAssembler assembler(config, SyncConfig(), topics, [&](const FrameMessages& messages) {
-    FrameViews views;
-    try {
-      views = assembler.view(messages);
-    } catch (const std::invalid_argument& error) {
-      return skipped->add("messages that cannot be used", error.what());
-    }
-    callback(messages.header(), views);
+    if (const auto views = usable(messages.header(), [&] { return assembler.view(messages); }, skipped))
+      callback(messages.header(), *views);
   });
   const auto comes = [this](const std::string& topic) { return rosbag::View(bag_, rosbag::TopicQuery(topic)).size() > 0; };
   if (comes(topics.left) && comes(topics.right)) assembler.expectImages();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cabinet_articulation/config/ordinary_file.h"
-#include "cabinet_articulation/joints/request_limits.h"
+#include "cabinet_articulation/geometry/limits.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -58,6 +58,16 @@ Rectangle parseRectangle(const std::vector<double>& numbers, const Location& loc
   return rectangle;
 }
 
+void requireSane(const Rectangle& rectangle, const Location& location) {
+  try {
+    requireSideOrUnknown("width", rectangle.width);
+    requireSideOrUnknown("height", rectangle.height);
+    requireWithin("position", rectangle.pose.translation(), limits::kFromOrigin);
+  } catch (const std::invalid_argument& error) {
+    location.fail(error.what());
+  }
+}
+
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
   return values[values.size() / 2];
@@ -93,8 +103,7 @@ PoseLog readPoseLog(std::istream& in, const std::string& name) {
     TrackedObservation observation;
     observation.stamp = static_cast<double>(log.track.observations.size());
     observation.rectangle = parseRectangle(numbers, location);
-    const std::string trouble = frontTrouble(observation.rectangle);
-    if (!trouble.empty()) location.fail(trouble);
+    requireSane(observation.rectangle, location);
     log.track.observations.push_back(observation);
   }
   if (log.track.observations.empty()) throw PoseLogError(name + ": no poses, expected one a line");

@@ -24,7 +24,7 @@ struct PoseLog {
   Track track;  ///< the given positions (3, 7 columns) or the rectangle's centres; stamps count the poses
 };
 
-/// Throws PoseLogError; also for geometry that is farther away or larger than request_limits.h allows, and for what is no
+/// Throws PoseLogError; also for geometry that is farther away or larger than limits.h allows, and for what is no
 /// ordinary file. Quaternions up to 5 % off unit length are normalised.
 PoseLog readPoseLog(std::istream& in, const std::string& name);
 PoseLog readPoseLog(const std::string& path);

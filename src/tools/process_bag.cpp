@@ -82,7 +82,10 @@ class Run {
  public:
   explicit Run(const Options& options)
       : options_(options), input_(options.input, options.kind, options.camera), pipeline_(loadConfig(options)) {
-    if (!options.fixed_frame.empty()) transforms_.emplace(input_.bag());
+    if (options.fixed_frame.empty()) return;
+    transforms_.emplace(input_.bag());
+    if (!transforms_->leftOut().empty())
+      std::fprintf(stderr, "process_bag: %s; it is left out\n", transforms_->leftOut().c_str());
   }
 
   void processAll() {

@@ -102,8 +102,7 @@ TEST(Config, NamesTheFileThatCannotBeRead) {
     }
     return std::string();
   };
-  EXPECT_EQ(refusal("/nowhere/planes.yaml"),
-            "configuration file '/nowhere/planes.yaml' cannot be opened: there is no such file");
+  EXPECT_EQ(refusal("/nowhere/planes.yaml"), "configuration file '/nowhere/planes.yaml' cannot be opened: there is no such file");
   EXPECT_EQ(refusal("/dev/zero"), "configuration file '/dev/zero' is a device, expected an ordinary file");
 }
 

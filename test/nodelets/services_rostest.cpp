@@ -128,7 +128,7 @@ TEST_F(Services, RefusalsSayWhy) {
   };
   expectPredict("there is no front 99999; the fronts known are", 99999, {0});
   expectPredict("has not moved enough yet", tracks_[2].id, {0});
-  expectPredict("q is not finite", tracks_[0].id, {0, kNan});
+  expectPredict("q is nan, expected -100 to 100", tracks_[0].id, {0, kNan});
   expectPredict("q is empty", tracks_[0].id, {});
   Configuration::Request pose;
   pose.id = tracks_[0].id;
@@ -144,7 +144,7 @@ TEST_F(Services, RefusalsSayWhy) {
   track.track = toMessage(tracks_[0], "map");
   track.track.poses[1].position.x = kNan;
   const auto bad_track = call<FitTrack>("fit_track", track);
-  refuses("expected finite numbers", bad_track.success, bad_track.message);
+  refuses(", expected -1e+07 to 1e+07 m", bad_track.success, bad_track.message);
 }
 
 TEST_F(Services, RefuseWhatWouldHoldUpTheOtherStages) {
@@ -155,7 +155,7 @@ TEST_F(Services, RefuseWhatWouldHoldUpTheOtherStages) {
   };
   const std::uint32_t door = tracks_[0].id;
   expectRefused(predict(door, std::vector<double>(10001, 0.5)), "there are 10001 openings in q, expected 10000 at most");
-  expectRefused(predict(door, {1e300}), "q is 1e+300 m or rad, expected -100 to 100");
+  expectRefused(predict(door, {1e300}), "q is 1e+300, expected -100 to 100 m or rad");
   EXPECT_TRUE(predict(door, std::vector<double>(10000, 0.5)).success);
   ExportUrdf::Request ids;
   ids.ids.assign(10001, door);
@@ -166,7 +166,7 @@ TEST_F(Services, RefuseWhatWouldHoldUpTheOtherStages) {
   FitTrack::Request track;
   track.track = toMessage(tracks_[0], "map");
   track.track.poses[3].position.y = 1e155;
-  expectRefused(call<FitTrack>("fit_track", track), "pose 3: y is 1e+155 m, expected -10000 to 10000 m");
+  expectRefused(call<FitTrack>("fit_track", track), "poses[3]: position is (");
   track.track.poses.resize(10001);
   expectRefused(call<FitTrack>("fit_track", track), "there are 10001 poses");
   EXPECT_TRUE(predict(door, {0.5}).success) << "what was known stays known";

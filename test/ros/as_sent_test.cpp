@@ -26,8 +26,8 @@ class AsSent : public testing::Test {
       rectangle.pose = rectangle.pose * Eigen::AngleAxisd(3 * number_(random_), axis) *
                        Eigen::Translation3d(number_(random_), number_(random_), number_(random_));
     }
-    rectangle.width = number_(random_);
-    rectangle.height = number_(random_);
+    rectangle.width = 0.01 + std::abs(number_(random_));
+    rectangle.height = 0.01 + std::abs(number_(random_));
     return rectangle;
   }
 
@@ -66,8 +66,8 @@ TEST_F(AsSent, RectanglesAreWhatMessagesDeliver) {
   for (auto& detected : rectangles) {
     detected.rectangle = rectangle();
     detected.covariance = covariance();
-    detected.precision = number_(random_);
-    detected.recall = number_(random_);
+    detected.precision = std::abs(number_(random_));
+    detected.recall = std::abs(number_(random_));
     detected.edge_support = {0.1F, 0.7F, 1, 0};
   }
   const auto sent = core::asSent(rectangles);
@@ -113,8 +113,8 @@ TEST_F(AsSent, TrackUpdatesAreWhatMessagesDeliver) {
   for (core::TrackUpdate& update : updates) {
     update.track.id = ++id;
     update.track.revision = 3;
-    update.track.width = number_(random_);
-    update.track.height = number_(random_);
+    update.track.width = rectangle().width;
+    update.track.height = rectangle().height;
     update.track.observations.resize(kSamples);
     for (core::TrackedObservation& observation : update.track.observations)
       observation = {stampOfToday(), rectangle(), covariance(), {0.1F, 0.7F, 1, 0}, rectangle(), covariance()};

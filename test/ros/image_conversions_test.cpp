@@ -77,11 +77,11 @@ TEST(CameraConversion, DisparityCameraTrustsTheMessagesFocalLengthTimesBaseline)
   EXPECT_EQ(camera.cx_difference, 3);
   EXPECT_EQ(toDisparityCamera(disparity, "d", left, "l").cx_difference, 0);
   disparity.T = 0;
-  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }),
-            "/d: T is 0, expected the baseline in metres, 0.001 to 10");
+  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }), "/d: baseline T is 0, expected 0.001 to 10 m");
   disparity.T = 0.08F;
   disparity.f = kNan;
-  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }), "/d: f is nan, expected the focal length in pixels, 1 to 100000");
+  EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", left, "l"); }),
+            "/d: focal length f is nan, expected 1 to 100000 px");
   disparity.f = 300;
   EXPECT_EQ(errorOf([&] { toDisparityCamera(disparity, "/d", sensor_msgs::CameraInfo(), "/l"); }).find("/l: "), 0u);
 }

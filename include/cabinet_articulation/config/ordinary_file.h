@@ -9,10 +9,12 @@
 namespace cabinet_articulation::core {
 
 /*
- * Files that come from outside. All throw std::runtime_error saying what is there and what was expected. None of them waits: a pipe, a device, a socket or a folder is refused without being opened.
+ * Files that come from outside. All throw std::runtime_error saying what is there and what was expected. None of them waits: a
+ * pipe, a device, a socket or a folder is refused without being opened.
  */
 
-/// The whole text. Throws, without the path, for what is missing, no ordinary file, cannot be read, or holds more than `largest` bytes.
+/// The whole text. Throws, without the path, for what is missing, no ordinary file, cannot be read, or holds more than `largest`
+/// bytes.
 std::string readOrdinaryFile(const std::filesystem::path& path, std::size_t largest);
 
 /// The same, or nothing if there is no such file.

@@ -15,8 +15,8 @@ struct UncertainPose {
 
 /// The front's centre at q, Eq. (8). The covariance (ours) is that of the joint, which counts the more the farther
 /// q is from the middle of the range that was seen, and that of a single observation: errors of observations follow one
-/// another, so that their mean is hardly better than one of them. Throws ModelError unless q is within
-/// kLargestOpening (request_limits.h) and the model is a joint.
+/// another, so that their mean is hardly better than one of them. Throws ModelError unless the model is a
+/// joint, std::invalid_argument unless q is within limits::kConfiguration.
 UncertainPose predictWithCovariance(const LearnedModel& model, double q);
 
 /// The opening at which the front is nearest to a pose.
@@ -26,14 +26,14 @@ struct NearestConfiguration {
   double orientation_residual = 0;  ///< [rad]
 };
 
-/// LearnedModel::configuration() and what is left. Throws ModelError unless the pose is within
-/// kFarthestPosition and the model is a joint.
+/// LearnedModel::configuration() and what is left. Throws ModelError unless the model is a joint,
+/// std::invalid_argument unless the pose is within limits::kFromOrigin.
 NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose);
 
 /// Poses for a hand that holds the front while it moves from q_from to q_to in even steps, both ends included.
 /// `T_front_grasp` is the hand in the front's frame (centre, x along the width, y along the height, z outwards).
-/// Throws ModelError for less than 2 or more than kMostEntries steps, for openings and grasps beyond request_limits.h, and
-/// unless the model is a joint.
+/// Throws ModelError unless the model is a joint, std::invalid_argument for less than 2 or more than limits::kMostEntries steps,
+/// and for openings and grasps beyond limits.h.
 std::vector<UncertainPose> handlePath(const LearnedModel& model, const Eigen::Isometry3d& T_front_grasp, double q_from,
                                       double q_to, int steps);
 

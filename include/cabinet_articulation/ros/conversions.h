@@ -3,6 +3,7 @@
 
 #include <cabinet_articulation/ArticulationModelArray.h>
 #include <cabinet_articulation/ExpectedFrontArray.h>
+#include <cabinet_articulation/KnownFrontArray.h>
 #include <cabinet_articulation/RectangleArray.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <std_msgs/Header.h>
@@ -19,8 +20,8 @@ namespace cabinet_articulation {
 
 /*
  * What the stages exchange, as messages and back. Pure functions. The frame of the poses is the caller's knowledge and
- * goes into the header. fromMessage throws std::invalid_argument for what no stage would publish (poses that are not
- * finite, no unit quaternion, lists whose lengths differ), naming the element.
+ * goes into the header. fromMessage throws std::invalid_argument for what no stage would publish (beyond
+ * geometry/limits.h, no unit quaternion, lists whose lengths differ), naming the element.
  */
 
 Rectangle toMessage(const core::DetectedRectangle& rectangle);
@@ -37,6 +38,7 @@ std::vector<core::TrackUpdate> fromMessage(const TrackArray& message);
 Track toMessage(const core::Track& track, const std::string& frame_id);
 TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header);
 core::Track wholeTrack(const Track& message);
+std::vector<core::Track> fromMessage(const KnownFrontArray& message);
 
 /// What a front is expected to do next, in the fixed frame of the header.
 ExpectedFrontArray toMessage(const core::ExpectedFronts& expected, const std_msgs::Header& header);

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "cabinet_articulation/config/config.h"
+#include "cabinet_articulation/ros/callback_guard.h"
 
 namespace cabinet_articulation {
 
@@ -73,12 +74,12 @@ core::ConfigValues fromTuning(const dynamic_reconfigure::Config& values);
 /// The ROS side: `set_parameters`, `parameter_descriptions` and `parameter_updates` in a private namespace.
 class LiveSettings {
  public:
-  /// Applies new values and returns those that are in force then. May throw ConfigError: nothing changes, and the caller of
-  /// set_parameters sees the old values.
+  /// Applies new values and returns those that are in force then. May throw ConfigError: nothing changes, the caller of
+  /// set_parameters sees the old values, and the guard hears why.
   using Apply = std::function<dynamic_reconfigure::Config(const core::ConfigValues&)>;
 
   LiveSettings(const ros::NodeHandle& private_nh, const dynamic_reconfigure::ConfigDescription& description,
-               const dynamic_reconfigure::Config& current, Apply apply);
+               const dynamic_reconfigure::Config& current, Apply apply, const CallbackGuard& guard);
 
   /// Waits for a call that is running.
   void shutdown();
@@ -89,6 +90,7 @@ class LiveSettings {
 
   ros::NodeHandle nh_;
   Apply apply_;
+  const CallbackGuard guard_;
   std::mutex mutex_;
   dynamic_reconfigure::Config current_;
   ros::Publisher descriptions_, updates_;

@@ -30,6 +30,9 @@ core::Matrix6d fromMessage(const boost::array<double, 36>& covariance);
 /// stamp cannot hold becomes its first or last one.
 ros::Time toStamp(double seconds);
 
+/// Throws std::invalid_argument for a stamp beyond limits::kLastSecond.
+void requireStamp(const char* element, const ros::Time& stamp);
+
 /// [s], to the nanosecond, also where it is more than ros::Duration holds (68 years).
 double secondsBetween(const ros::Time& earlier, const ros::Time& later);
 

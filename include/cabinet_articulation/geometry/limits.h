@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/time.h>
-
+#include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 
-namespace cabinet_articulation {
+namespace cabinet_articulation::core {
 
 /*
- * What messages may hold. The conversions refuse everything else, so that no number overflows behind them and no message of one
- * node ends the others. The limits are far beyond every cabinet and camera, and far within what the arithmetic can carry.
+ * What may come from outside: messages, requests, files, bags. Whatever reads them refuses everything else, so that no number
+ * overflows behind it, and no sender holds up or ends the stages that share a process. All other code trusts this.
+ *
+ * Lengths are far beyond every cabinet and camera, and far within what the arithmetic can carry (ours).
  */
 
 /// Both ends are allowed.
@@ -24,12 +26,16 @@ namespace limits {
 constexpr std::uint32_t kLastSecond = 4290000000U;
 
 constexpr Limit kFromCamera{0, 100, "m"};              ///< a front's centre; depth cameras see 10 m, stereo less than 50 m
-constexpr Limit kFromOrigin{0, 1e7, "m"};              ///< any pose: maps may count from far away, as UTM's northings do
+constexpr Limit kFromOrigin{-1e7, 1e7, "m"};           ///< a coordinate: maps may count from far away, as UTM's northings do
+constexpr Limit kFromFront{-100, 100, "m"};            ///< coordinate of a grasp from the front's centre
 constexpr Limit kSide{0.001, 10, "m"};                 ///< of a front: what min_side and max_side of the rectangles stage may be
+constexpr Limit kRadius{0, 1e7, "m"};                  ///< of a hinge: paths that hardly bend have large ones
 constexpr Limit kVariance{-1e6, 1e6, "m^2 or rad^2"};  ///< element of a covariance: a sigma of 1 km knows nothing
+constexpr Limit kJointVariance{-1e12, 1e12, "m^2 or rad^2"};  ///< a path need not tell where along an axis its point is
 constexpr Limit kShare{0, 1, "(a share)"};
 constexpr Limit kQuality{0, 1e9, "(a share)"};          ///< a rectangle may hold more of a plane than its region does
-constexpr Limit kConfiguration{-1e4, 1e4, "m or rad"};  ///< fronts go a few metres, or around a few times
+constexpr Limit kConfiguration{-100, 100, "m or rad"};  ///< fronts go a few metres, or around a few times
+constexpr Limit kError{0, 1e4, "m or rad"};             ///< mean length of residuals
 constexpr Limit kSpeed{0, 100, "m/s"};                  ///< nothing in a kitchen moves at 10 m/s
 constexpr Limit kTurnRate{0, 100, "rad/s"};             ///< half a turn within a tenth of a second is 31 rad/s
 constexpr Limit kHorizon{0, 10, "s"};                   ///< that of prediction_horizon of the tracking stage
@@ -43,18 +49,27 @@ constexpr Limit kUnitLength{0.99, 1.01, "(a unit vector)"};
 constexpr Limit kDisparityPlane{-1e9, 1e9, "px"};          ///< planes that nearly pass through the camera are steep in disparity
 constexpr Limit kHullMargin{0, 1, "image sizes outside"};  ///< regions end at the border, fits may end a little beyond
 
+constexpr std::size_t kMostEntries = 10000;  ///< openings, steps, ids, poses: 0.5 s for fit_track, 10 MB for an answer
+constexpr std::size_t kMostFronts = 1000;    ///< fronts, planes or models in a message: some minutes' walk through a building
+
 }  // namespace limits
 
-/// Throws std::invalid_argument that names the element, its value and what was expected; not a number is never within.
+bool isWithin(double value, const Limit& limit);
+
+// Each throws std::invalid_argument that names the element, its value and what was expected. Not a number is never within.
+
 void requireWithin(const char* element, double value, const Limit& limit);
 
-/// The same for the side of a front, where 0 says that it is not known.
+/// The side of a front, where 0 says that it is not known.
 void requireSideOrUnknown(const char* element, double value);
 
-/// The same for all 36 elements of a covariance.
-void requireCovariance(const double* covariance, const char* element = "covariance");
+/// Each coordinate.
+void requireWithin(const char* element, const Eigen::Vector3d& position, const Limit& limit);
 
-/// The same for a stamp.
-void requireStamp(const char* element, const ros::Time& stamp);
+/// All 36 elements of a covariance.
+void requireCovariance(const char* element, const double* covariance);
 
-}  // namespace cabinet_articulation
+/// A list of this many entries.
+void requireAtMost(const char* entries, std::size_t count, std::size_t most);
+
+}  // namespace cabinet_articulation::core
