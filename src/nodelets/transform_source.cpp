@@ -12,8 +12,14 @@ namespace cabinet_articulation {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;  // as tf2_ros::TransformListener
+const ros::WallDuration kPatience(0.1);
 
 }  // namespace
+
+TransformSource::~TransformSource() {
+  ends_ = true;
+  if (thread_.joinable()) thread_.join();
+}
 
 void TransformSource::listen() {
   std::call_once(listening_, [this] {
@@ -21,9 +27,9 @@ void TransformSource::listen() {
     nh.setCallbackQueue(&queue_);
     moving_ = subscribe(nh, "/tf", false);
     static_ = subscribe(nh, "/tf_static", true);
-    // One thread of its own: a stage waits for transforms in the thread that would otherwise hear them.
-    spinner_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
-    spinner_->start();
+    thread_ = std::thread([this] {
+      while (!ends_) queue_.callAvailable(kPatience);
+    });
   });
 }
 

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <ros/callback_queue.h>
-#include <ros/spinner.h>
 #include <ros/subscriber.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
-#include <memory>
+#include <atomic>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/clock_jump.h"
@@ -27,6 +27,7 @@ class TransformSource {
  public:
   /// Transforms that no robot has go to the guard.
   explicit TransformSource(const CallbackGuard& guard) : guard_(guard) {}
+  ~TransformSource();
 
   /// Begins to hear tf. A stage that will need it says so early: connecting takes longer than a frame, and what was sent before
   /// is lost. Otherwise the first question that needs an answer begins.
@@ -45,10 +46,10 @@ class TransformSource {
   std::once_flag listening_;
   tf2::BufferCore buffer_;
   ros::Time last_heard_;
-  // In this order, so that no callback runs when the others end.
   ros::CallbackQueue queue_;
   ros::Subscriber moving_, static_;
-  std::unique_ptr<ros::AsyncSpinner> spinner_;
+  std::atomic<bool> ends_{false};
+  std::thread thread_;  ///< of the callbacks: a stage waits for transforms in the thread that would otherwise hear them
 };
 
 }  // namespace cabinet_articulation

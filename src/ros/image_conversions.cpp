@@ -36,10 +36,19 @@ cv::Mat pixels(const sensor_msgs::Image& image, const std::string& topic, int ty
                  const_cast<std::uint8_t*>(image.data.data()), image.step);
 }
 
+/// cv_bridge multiplies in 32 bits, and would read beyond the data of some images. What else it refuses is an error of the topic.
 template <class Convert>
-cv_bridge::CvImageConstPtr guarded(const std::string& topic, const Convert& convert) {
+cv_bridge::CvImageConstPtr guarded(const sensor_msgs::Image& image, const std::string& topic, const Convert& convert) {
+  const size_t expected = static_cast<size_t>(image.step) * image.height;
+  if (image.data.size() != expected)
+    fail(topic, "holds " + std::to_string(image.data.size()) + " bytes, expected " + std::to_string(expected) + " in " +
+                    std::to_string(image.height) + " rows of " + std::to_string(image.step));
   try {
+    core::requireWithin("width", image.width, core::limits::kImageSide);
+    core::requireWithin("height", image.height, core::limits::kImageSide);
     return convert();
+  } catch (const std::invalid_argument& error) {
+    fail(topic, error.what());
   } catch (const cv_bridge::Exception& error) {
     fail(topic, error.what());
   } catch (const cv::Exception& error) {
@@ -153,11 +162,11 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
 }
 
 cv_bridge::CvImageConstPtr toMono(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
-  return guarded(topic, [&] { return cv_bridge::toCvShare(image, encodings::MONO8); });
+  return guarded(*image, topic, [&] { return cv_bridge::toCvShare(image, encodings::MONO8); });
 }
 
 cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
-  return guarded(topic, [&] { return cv_bridge::toCvShare(image); });
+  return guarded(*image, topic, [&] { return cv_bridge::toCvShare(image); });
 }
 
 void requireSize(const cv::Mat& image, const core::StereoCamera& camera, const std::string& topic) {

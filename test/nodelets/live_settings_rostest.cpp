@@ -66,7 +66,7 @@ TEST_F(LiveSettings, OutOfRangeAreRefusedInWords) {
   EXPECT_EQ(setObservationsMin(-5), 7);
   EXPECT_EQ(onServer(), 7);
   EXPECT_TRUE(
-      spinUntil([&] { return reports_.logged(rosgraph_msgs::Log::ERROR, "setting 'observations_min' is -5, allowed is"); }));
+      spinUntil([&] { return reports_.logged(rosgraph_msgs::Log::WARN, "setting 'observations_min' is -5, allowed is"); }));
 }
 
 }  // namespace

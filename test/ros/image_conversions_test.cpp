@@ -146,6 +146,16 @@ TEST(ImageConversion, NamesTheTopicOfABrokenImage) {
   EXPECT_EQ(errorOf([&] { toMono(image, "/stereo/left/image_rect"); }).find("/stereo/left/image_rect: "), 0u);
 }
 
+/// height * step is 3072 bytes modulo 2^32, as many as there are.
+TEST(ImageConversion, RowsThatEndBeyondTheDataAreRefused) {
+  auto image = boost::make_shared<sensor_msgs::Image>(test::greyImage(64, 48, {}, [](int, int) { return 7; }));
+  image->step = 64 + (1U << 28);
+  EXPECT_EQ(errorOf([&] { toMono(image, "/left"); }), "/left: holds 3072 bytes, expected 12884904960 in 48 rows of 268435520");
+  EXPECT_NE(errorOf([&] { toImage(image, "/depth"); }), "");
+  image->step = 64;
+  EXPECT_EQ(errorOf([&] { toMono(image, "/left"); }), "");
+}
+
 TEST(DisparityConversion, IsAViewInWhichInvalidPixelsStayInvalid) {
   const auto message = disparityImage(smallCamera(), exampleHeader(), [](int u, int) {
     return u == 0 ? kNan : u == 1 ? kInf : u == 2 ? -1 : 7.5F;

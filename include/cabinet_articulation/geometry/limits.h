@@ -50,7 +50,7 @@ constexpr Limit kDisparityPlane{-1e9, 1e9, "px"};          ///< planes that near
 constexpr Limit kHullMargin{0, 1, "image sizes outside"};  ///< regions end at the border, fits may end a little beyond
 
 constexpr std::size_t kMostEntries = 10000;  ///< openings, steps, ids, poses: 0.5 s for fit_track, 10 MB for an answer
-constexpr std::size_t kMostFronts = 1000;    ///< fronts, planes or models in a message: some minutes' walk through a building
+constexpr std::size_t kMostFronts = 4000;    ///< fronts, planes or models in a message: their assignment takes a second
 
 }  // namespace limits
 
