@@ -10,6 +10,7 @@
 #include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/joints.h"
+#include "callback_threads.h"
 #include "model_services.h"
 #include "model_store.h"
 #include "stage_nodelet.h"
@@ -33,9 +34,11 @@ class ArticulationStage : public StageNodelet {
     };
     const StoreCalls calls{start_from, [this](std::uint32_t id) { learner_->forget(id); },
                            [this] { health().setLasting("models_file", ""); }};
+    getMTNodeHandle().setCallbackQueue(requests_.queue());
     store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, calls, guard());
     report([this] { return store_->loadAtStart(); });
     services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get(), guard());
+    requests_.start(kRequestThreads);
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
       auto learner = std::make_unique<core::ArticulationLearner>(tuned);
@@ -72,6 +75,7 @@ class ArticulationStage : public StageNodelet {
   void unsubscribe() override { tracks_topic_.shutdown(); }
 
   void finish() override {
+    requests_.stop();
     if (services_) services_->shutdown();
     if (store_) report([this] { return store_->saveAtExit(); });
   }
@@ -152,6 +156,8 @@ class ArticulationStage : public StageNodelet {
     last_transforms_ = header.stamp;
   }
 
+  static constexpr int kRequestThreads = 4;  ///< ours: a fit of a long track does not hold up a robot's predictions
+  CallbackThreads requests_;                 ///< outlives the services
   std::unique_ptr<core::ArticulationLearner> learner_;
   std::unique_ptr<ModelStore> store_;
   std::unique_ptr<ModelServices> services_;

@@ -19,6 +19,7 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/parameters.h"
 #include "cabinet_articulation/ros/simulation_conversions.h"
+#include "callback_threads.h"
 #include "settings.h"
 
 namespace cabinet_articulation {
@@ -29,6 +30,7 @@ namespace cabinet_articulation {
 class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
  public:
   ~SimulatedStereoCameraNodelet() override {
+    callbacks_.stop();
     results_.shutdown();
     {
       std::lock_guard<std::mutex> lock(mutex_);
@@ -55,6 +57,7 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
       return;
     }
     ros::NodeHandle& nh = getNodeHandle();
+    nh.setCallbackQueue(callbacks_.queue());
     left_ = nh.advertise<sensor_msgs::Image>("left/image_raw", kQueue);
     right_ = nh.advertise<sensor_msgs::Image>("right/image_raw", kQueue);
     depth_ = nh.advertise<sensor_msgs::Image>("depth/image", kQueue);
@@ -62,17 +65,20 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
     right_info_ = nh.advertise<sensor_msgs::CameraInfo>("right/camera_info", kQueue);
     depth_info_ = nh.advertise<sensor_msgs::CameraInfo>("depth/camera_info", kQueue);
     truth_ = nh.advertise<SceneTruth>("truth", kQueue);
+    const CallbackGuard guard(
+        [this](const std::string&, const std::string& what) { NODELET_FATAL("%s: %s", getName().c_str(), what.c_str()); });
     if (paced()) {
       clock_ = nh.advertise<rosgraph_msgs::Clock>("/clock", kQueue);
-      results_ = nh.subscribe<ArticulationModelArray>("models", kQueue, [this](const auto& models) {
-        std::lock_guard<std::mutex> lock(mutex_);
-        newest_result_ = models->header.stamp;
-        wake_.notify_all();
+      results_ = nh.subscribe<ArticulationModelArray>("models", kQueue, [this, guard](const auto& models) {
+        guard("models", [&] {
+          std::lock_guard<std::mutex> lock(mutex_);
+          newest_result_ = models->header.stamp;
+          wake_.notify_all();
+        });
       });
     }
     if (!settings_.world_frame.empty()) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
-    const CallbackGuard guard(
-        [this](const std::string&, const std::string& what) { NODELET_FATAL("%s: %s", getName().c_str(), what.c_str()); });
+    callbacks_.start(1);
     thread_ = std::thread([this, guard] { guard("camera", [this] { run(); }); });
   }
 
@@ -172,6 +178,7 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
   SimulatedCameraSettings settings_;
   std::unique_ptr<core::SimulatedStereoCamera> camera_;
   ros::Publisher left_, right_, depth_, left_info_, right_info_, depth_info_, truth_, clock_;
+  CallbackThreads callbacks_;
   ros::Subscriber results_;
   std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
 

@@ -18,7 +18,10 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 }  // namespace
 
 void StageNodelet::onInit() {
+  getNodeHandle().setCallbackQueue(callbacks_.queue());
+  getPrivateNodeHandle().setCallbackQueue(callbacks_.queue());
   guard_("start", [this] { initialize(); });
+  callbacks_.start(1);
 }
 
 void StageNodelet::initialize() {
@@ -52,7 +55,7 @@ void StageNodelet::stop() {
     started_ = false;
   }
   interrupt();
-  // Each of these waits for what it ends, which may wait for the mutex.
+  callbacks_.stop();
   if (live_settings_) live_settings_->shutdown();
   timer_.stop();
   unsubscribe();

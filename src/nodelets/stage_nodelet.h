@@ -16,6 +16,7 @@
 #include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/live_settings.h"
 #include "cabinet_articulation/ros/parameters.h"
+#include "callback_threads.h"
 #include "latest_worker.h"
 #include "settings.h"
 #include "stage_health.h"
@@ -36,6 +37,8 @@ struct StageWait {
  *
  * Whatever ROS calls (inputs, connections, the timer) and the worker's jobs go through one guard, which turns an exception into
  * a trouble: nothing escapes into the manager.
+ *
+ * Callbacks run in a thread of the stage's own, one after the other, once it has started.
  *
  * A stage with bad settings says so (log and diagnostics) and stays inert; the manager and the other stages live on.
  * A stage cannot be exported but as EndsInOrder<Stage>, which ends callbacks and worker before a member is destroyed.
@@ -138,6 +141,7 @@ class StageNodelet : public nodelet::Nodelet {
   void initialize();
   LatestWorker::Job guarded(LatestWorker::Job job) const;
 
+  CallbackThreads callbacks_;  ///< outlives all that has callbacks
   const std::string stage_;
   StageSettings settings_;
   StageHealth health_;

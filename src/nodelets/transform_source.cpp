@@ -12,24 +12,16 @@ namespace cabinet_articulation {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;  // as tf2_ros::TransformListener
-const ros::WallDuration kPatience(0.1);
 
 }  // namespace
-
-TransformSource::~TransformSource() {
-  ends_ = true;
-  if (thread_.joinable()) thread_.join();
-}
 
 void TransformSource::listen() {
   std::call_once(listening_, [this] {
     ros::NodeHandle nh;
-    nh.setCallbackQueue(&queue_);
+    nh.setCallbackQueue(thread_.queue());
     moving_ = subscribe(nh, "/tf", false);
     static_ = subscribe(nh, "/tf_static", true);
-    thread_ = std::thread([this] {
-      while (!ends_) queue_.callAvailable(kPatience);
-    });
+    thread_.start(1);
   });
 }
 

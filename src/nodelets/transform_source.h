@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/callback_queue.h>
 #include <ros/subscriber.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
-#include <atomic>
 #include <mutex>
 #include <string>
-#include <thread>
 
 #include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/clock_jump.h"
+#include "callback_threads.h"
 
 namespace cabinet_articulation {
 
@@ -27,7 +25,6 @@ class TransformSource {
  public:
   /// Transforms that no robot has go to the guard.
   explicit TransformSource(const CallbackGuard& guard) : guard_(guard) {}
-  ~TransformSource();
 
   /// Begins to hear tf. A stage that will need it says so early: connecting takes longer than a frame, and what was sent before
   /// is lost. Otherwise the first question that needs an answer begins.
@@ -46,10 +43,8 @@ class TransformSource {
   std::once_flag listening_;
   tf2::BufferCore buffer_;
   ros::Time last_heard_;
-  ros::CallbackQueue queue_;
+  CallbackThreads thread_;  ///< a stage waits for transforms in the thread that would otherwise hear them
   ros::Subscriber moving_, static_;
-  std::atomic<bool> ends_{false};
-  std::thread thread_;  ///< of the callbacks: a stage waits for transforms in the thread that would otherwise hear them
 };
 
 }  // namespace cabinet_articulation

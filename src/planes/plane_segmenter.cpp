@@ -2,6 +2,7 @@
 #include "cabinet_articulation/planes/plane_segmenter.h"
 
 #include <algorithm>
+#include <cassert>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -91,6 +92,7 @@ PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), bu
 PlaneSegmenter::~PlaneSegmenter() = default;
 
 std::vector<PlaneRegion> PlaneSegmenter::process(const DepthFrame& frame) {
+  assert(frame.camera.isSane());
   requireSameSizes(frame);
   return config_.method == "paper" ? wholePlanes(frame) : connectedRegions(frame);
 }

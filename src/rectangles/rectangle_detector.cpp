@@ -2,10 +2,12 @@
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/rectangles/edge_refinement.h"
 #include "cabinet_articulation/rectangles/edge_support.h"
 #include "cabinet_articulation/rectangles/image_edge.h"
@@ -33,6 +35,14 @@ void requireSizes(const DepthFrame& frame, const std::vector<PlaneRegion>& regio
   if (!frame.left.empty()) requireSize(frame.left, size, "the left image");
   if (!frame.right.empty()) requireSize(frame.right, size, "the right image");
   for (size_t i = 0; i < regions.size(); ++i) requireSize(regions[i].mask, size, "the mask of region " + std::to_string(i));
+}
+
+/// As the conversion from messages leaves them; asserted only.
+[[maybe_unused]] bool isSane(const PlaneRegion& region) {
+  const double u = limits::kHullMargin.max * region.mask.cols, v = limits::kHullMargin.max * region.mask.rows;
+  return std::all_of(region.hull.begin(), region.hull.end(), [&](const cv::Point2f& corner) {
+    return isWithin(corner.x, {-u, region.mask.cols + u, "px"}) && isWithin(corner.y, {-v, region.mask.rows + v, "px"});
+  });
 }
 
 std::optional<PlaneChart> chartOf(const PlaneRegion& region, const StereoCamera& camera) {
@@ -107,6 +117,8 @@ RectangleDetector::~RectangleDetector() = default;
 
 std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& frame, const std::vector<PlaneRegion>& regions,
                                                           const std::vector<Rectangle>& tracks) {
+  assert(frame.camera.isSane());
+  assert(std::all_of(regions.begin(), regions.end(), isSane));
   requireSizes(frame, regions);
   const std::vector<Rectangle> expected = config_.use_tracks ? tracks : std::vector<Rectangle>();
   std::vector<RectangleCandidate> candidates = search(frame.camera, regions, expected);

@@ -75,18 +75,6 @@ void fillImage(const cv::Mat& pixels, const std_msgs::Header& header, const std:
   for (int v = 0; v < pixels.rows; ++v) image->data.insert(image->data.end(), pixels.ptr(v), pixels.ptr(v) + row);
 }
 
-const core::StereoCamera& requireSane(const core::StereoCamera& camera) {
-  core::requireWithin("width", camera.width, core::limits::kImageSide);
-  core::requireWithin("height", camera.height, core::limits::kImageSide);
-  core::requireWithin("focal length fx (P[0])", camera.fx, core::limits::kFocalLength);
-  core::requireWithin("focal length fy (P[5])", camera.fy, core::limits::kFocalLength);
-  core::requireWithin("principal point cx (P[2])", camera.cx, core::limits::kPrincipalPoint);
-  core::requireWithin("principal point cy (P[6])", camera.cy, core::limits::kPrincipalPoint);
-  core::requireWithin("right camera's baseline (-P[3] / P[0])", camera.baseline, core::limits::kBaseline);
-  core::requireWithin("right camera's cx (left P[2] - right P[2])", camera.cx_difference, core::limits::kPrincipalPoint);
-  return camera;
-}
-
 /// As many as a convex polygon around pixels has at most, some more for corners that lie on a line.
 size_t mostCorners(const sensor_msgs::Image& mask) { return 2 * (static_cast<size_t>(mask.width) + mask.height); }
 
@@ -114,8 +102,8 @@ core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sen
     fail(right_topic, "size is " + sizeText(right.width, right.height) + ", expected that of " + left_topic + ", " +
                           sizeText(left.width, left.height));
   try {
-    return requireSane(core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height),
-                                                           projection(left), projection(right)));
+    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
+                                               projection(right));
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
     fail(text.rfind("right", 0) == 0 ? right_topic : left_topic, text);
@@ -129,8 +117,7 @@ core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std:
   else
     std::copy(info.K.begin(), info.K.end(), K.begin());
   try {
-    return requireSane(
-        core::StereoCamera::fromDepthCamera(static_cast<int>(info.width), static_cast<int>(info.height), K, virtual_baseline));
+    return core::StereoCamera::fromDepthCamera(static_cast<int>(info.width), static_cast<int>(info.height), K, virtual_baseline);
   } catch (const std::invalid_argument& error) {
     fail(topic, error.what());
   }
@@ -154,8 +141,8 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
     if (right) P_right[2] = right->P[2];
   }
   try {
-    return requireSane(core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height),
-                                                           projection(left), P_right));
+    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
+                                               P_right);
   } catch (const std::invalid_argument& error) {
     fail(left_topic, error.what());
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/stereo/block_matcher.h"
 
+#include <cassert>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -64,6 +65,7 @@ BlockMatcher::BlockMatcher(const StereoConfig& config) : config_(checked(config)
 BlockMatcher::~BlockMatcher() = default;
 
 DepthFrame BlockMatcher::process(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera) {
+  assert(camera.isSane());
   requirePair(left, right, camera, config_);
   // StereoBM leaves the columns empty in which the search would leave the right image.
   const int pad = config_.recover_left_band ? config_.disparity_range + std::max(config_.min_disparity, 0) : 0;

@@ -20,12 +20,15 @@ struct StereoCamera {
 
   /// From the 3x4 projection matrices P of the two CameraInfos (row-major).
   /// Throws std::invalid_argument that names the element, its value and what was expected: focal lengths must be
-  /// positive and finite, the right P[3] = -fx * baseline must be negative, sizes positive.
+  /// positive, the right P[3] = -fx * baseline must be negative, and all within geometry/limits.h.
   static StereoCamera fromProjections(int width, int height, const std::array<double, 12>& P_left,
                                       const std::array<double, 12>& P_right);
 
   /// A depth camera with intrinsics K (row-major 3x3) and a virtual baseline. Throws like fromProjections.
   static StereoCamera fromDepthCamera(int width, int height, const std::array<double, 9>& K, double virtual_baseline);
+
+  /// Within geometry/limits.h; what the two above return is.
+  bool isSane() const;
 
   /// fx * baseline: disparity [px] = focalBaseline / depth [m]. Disparities are free of cx_difference throughout.
   double focalBaseline() const { return fx * baseline; }

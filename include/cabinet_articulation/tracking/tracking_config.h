@@ -51,7 +51,7 @@ struct TrackingConfig {
           "error of an edge that was observed along four fifths or more (measured: 1 to 3 mm)");
     visit("unseen_edge_sigma", self.unseen_edge_sigma, Range{1e-3, 10}, "m",
           "error of an edge that was not observed (measured: up to 0.2 where a closed neighbour continues the front)");
-    visit("max_observations", self.max_observations, Range{16, 1000000}, "",
+    visit("max_observations", self.max_observations, Range{16, 10000}, "",
           "a longer history is thinned out where the front moved least");
     visit("max_ended_tracks", self.max_ended_tracks, Range{0, 10000}, "",
           "fronts that get their id back when they return after their timeout; those that moved least are forgotten first");
