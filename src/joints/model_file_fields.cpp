@@ -19,8 +19,6 @@ constexpr std::size_t kPose = 7, kTriangle = 21, kEdges = 4;
 constexpr std::size_t kObservation = 1 + kPose + 2 + kEdges + kTriangle;
 constexpr double kUnitTolerance = 1e-6;
 constexpr double kObservationsOfOlderFiles = 10;
-constexpr double kEndOfTime = 4294967296.0;    // [s] of 32 bits
-constexpr double kLastStamp = 4294967295.999;  // [s] written with all its digits it still is before the end
 
 /// Twelve digits: less than a nanometre, and to the millisecond in a stamp of today.
 std::string toText(double value) {
@@ -56,7 +54,7 @@ YAML::Node list(const Value& value) {
   return list(numbers);
 }
 
-double stampToWrite(double stamp) { return std::isfinite(stamp) ? std::clamp(stamp, 0.0, kLastStamp) : 0; }
+double stampToWrite(double stamp) { return std::isfinite(stamp) ? std::clamp<double>(stamp, 0, limits::kLastSecond) : 0; }
 
 double number(const YAML::Node& node, const std::string& field) {
   double value = 0;
@@ -74,8 +72,9 @@ std::uint32_t count(const YAML::Node& node, const std::string& field, std::uint3
 
 /// What ros::Time holds; a robot's messages know no others.
 double checkedStamp(double value, const std::string& field) {
-  if (value < 0 || value >= kEndOfTime)
-    throw std::runtime_error("'" + field + "' has the time " + toText(value) + ", expected seconds from 0 to 4294967295");
+  if (value < 0 || value > limits::kLastSecond)
+    throw std::runtime_error("'" + field + "' has the time " + toText(value) + ", expected seconds from 0 to " +
+                             std::to_string(limits::kLastSecond));
   return value;
 }
 

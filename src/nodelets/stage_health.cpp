@@ -94,17 +94,23 @@ std::string StageHealth::lastingText() const {
   return text;
 }
 
-void StageHealth::summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const {
-  if (!refusal_.empty()) return status->summary(DiagnosticStatus::ERROR, "not running: " + refusal_);
+std::string StageHealth::troubleText(double now) const {
   std::string text = lastingText();
-  const auto rests = [&](const std::string& why) {
-    status->summary(text.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, text.empty() ? why : why + "; " + text);
-  };
-  if (!active_) return rests("idle: nobody subscribes to its results");
-  if (paused_) return rests("simulated time stands still: the bag or the simulation has not started, is paused or over");
-  const bool stands_still = now - last_processed_ > kStandstill;
   for (const auto& entry : troubles_)
     if (now - entry.second.reported <= kShowTrouble) text += (text.empty() ? "" : "; ") + entry.second.text;
+  return text;
+}
+
+void StageHealth::summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const {
+  if (!refusal_.empty()) return status->summary(DiagnosticStatus::ERROR, "not running: " + refusal_);
+  // A trouble from before time stood still says nothing about now.
+  const std::string text = active_ && paused_ ? lastingText() : troubleText(now);
+  const bool rests = !active_ || paused_;
+  const bool stands_still = now - last_processed_ > kStandstill && !rests;
+  if (!active_ && text.empty()) return status->summary(DiagnosticStatus::OK, "idle: nobody subscribes to its results");
+  if (paused_ && text.empty())
+    return status->summary(DiagnosticStatus::OK,
+                           "simulated time stands still: the bag or the simulation has not started, is paused or over");
   if (!text.empty()) return status->summary(stands_still ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, text);
   if (processed_ > 0 && (age_ > kOldStamp || age_ < -kOldStamp))
     return status->summaryf(

@@ -31,7 +31,7 @@ class StageHealth {
   /// A number worth knowing, shown with the others.
   void note(const std::string& name, double value);
 
-  /// Something is wrong, in words. One trouble for each key; it is shown for some seconds after it was last reported.
+  /// Something is wrong, in words. One trouble for each key; it is shown for some seconds after it was last reported, also while the stage is idle.
   /// True if it is time to log it (again).
   bool trouble(const std::string& key, const std::string& text, double now);
 
@@ -50,6 +50,7 @@ class StageHealth {
   };
 
   std::string lastingText() const;
+  std::string troubleText(double now) const;
   void summarize(double now, double rate, diagnostic_updater::DiagnosticStatusWrapper* status) const;
 
   std::mutex mutex_;

@@ -96,8 +96,10 @@ TEST(StageHealth, LastingTroubleIsToldAlsoWhileIdleUntilItIsOver) {
   health.setLasting("models_file", "is cut off");
   auto status = describe(health, 100);
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
-  EXPECT_EQ(status.message, "idle: nobody subscribes to its results; is cut off");
+  EXPECT_EQ(status.message, "is cut off");
   EXPECT_EQ(valueOf(status, "models_file"), "is cut off");
+  health.trouble("set_parameters", "rate is -1", 100);
+  EXPECT_EQ(describe(health, 100).message, "is cut off; rate is -1") << "a request that went wrong, too";
   health.setActive(true, 100);
   health.processed(0.1, 5, 101);
   health.trouble("input", "P[3] is 0", 101);
