@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <sstream>
 
@@ -47,7 +48,8 @@ std::string yamlNumber(double value) {
     text = stream.str();
     // 20 rather than 2e+01; the exponent stays for what is really large or small.
     const bool needless_exponent = text.find('e') != std::string::npos && std::abs(value) >= 1e-4 && std::abs(value) < 1e15;
-    if (std::stod(text) == value && !needless_exponent) break;
+    // std::stod would throw for the smallest numbers.
+    if (std::strtod(text.c_str(), nullptr) == value && !needless_exponent) break;
   }
   // YAML 1.1, which roslaunch reads, takes 1e-05 for a text and 1.0e-05 for a number.
   const size_t exponent = text.find('e');

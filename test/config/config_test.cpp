@@ -89,6 +89,7 @@ TEST(Config, PrintsNumbersThatEveryYamlReaderTakesForNumbers) {
   EXPECT_EQ(detail::yamlNumber(1000000), "1000000");
   EXPECT_EQ(detail::yamlNumber(0.001), "0.001");
   EXPECT_EQ(detail::yamlNumber(1e-5), "1.0e-05");
+  EXPECT_EQ(detail::yamlNumber(5e-324), "5.0e-324");
   EXPECT_EQ(detail::yamlNumber(0.1), "0.1");
 }
 

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# fuzz.sh MINUTES [TARGET...]: installs what is missing, builds the fuzz targets (test/fuzz) with the address and the undefined
+# behaviour sanitizer in build_fuzz/, and runs each, or those named, for MINUTES, as many at a time as there are processors.
+# With clang's libFuzzer if clang++ is there, else with the compiler at hand and a seeded loop. Prints one line for each target.
+# Inputs that are findings stay in build_fuzz/findings/TARGET with what was said about them; the exit status is 1 if there are any.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(dirname "$here")
+build=$root/build_fuzz
+
+if ! [[ ${1:-} =~ ^[0-9]*\.?[0-9]+$ ]]; then
+  echo "expected a number of minutes, not '${1:-}'; usage: fuzz.sh MINUTES [TARGET...]" >&2
+  exit 2
+fi
+seconds=$(awk "BEGIN { print int($1 * 60 + 0.5) }")
+shift
+
+export PATH=/usr/bin:$PATH
+"$here/install_dependencies.sh"
+if [ -f /opt/ros/noetic/setup.sh ]; then
+  set +u
+  . /opt/ros/noetic/setup.sh
+  set -u
+fi
+# Assertions count, so it is no release. Casts of numbers that are too large are checked on top of what `undefined` means.
+flags="-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+flags+=" -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
+if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+  clang++ -fsanitize=fuzzer -x c++ - -o /dev/null 2>/dev/null; then
+  fuzzer=(-DCMAKE_CXX_COMPILER=clang++ -DCABINET_FUZZER=ON -DCMAKE_CXX_FLAGS="$flags -fsanitize=fuzzer-no-link")
+else
+  fuzzer=(-DCABINET_FUZZER=OFF -DCMAKE_CXX_FLAGS="$flags")
+fi
+mkdir -p "$build/devel/lib/python3/dist-packages" "$build/findings" "$build/corpus"
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+  "${fuzzer[@]}" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log"; exit 1; }
+make -C "$build" -j"$(nproc)" --no-print-directory fuzzers >"$build/make.log" 2>&1 || { tail -n 50 "$build/make.log"; exit 1; }
+
+programs=$build/devel/lib/cabinet_articulation
+if [ $# -eq 0 ]; then
+  set -- $(cd "$programs" && ls -d fuzz_* | sed 's/^fuzz_//')
+fi
+export build root seconds programs
+export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
+[ -d /dev/shm ] && export TMPDIR=/dev/shm
+
+fuzz_one() {
+  local target=$1 findings=$build/findings/$1 corpus=$root/test/fuzz/corpus/$1 grown=$build/corpus/$1
+  local log=$findings/log.txt status=0 start=$SECONDS runs
+  rm -rf "$findings"
+  mkdir -p "$findings" "$grown"
+  cd "$findings"
+  if grep -q CABINET_FUZZER:BOOL=ON "$build/CMakeCache.txt"; then
+    local folders=("$grown")
+    [ -d "$corpus" ] && folders+=("$corpus")
+    "$programs/fuzz_$target" "${folders[@]}" -max_total_time="$seconds" -max_len=65536 -timeout=60 -rss_limit_mb=3000 \
+      -print_final_stats=1 -verbosity=1 -artifact_prefix="$findings/" >"$log" 2>&1 || status=$?
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  else
+    "$programs/fuzz_$target" "$corpus" --seconds "$seconds" --seed "$RANDOM" --running "$findings/input" >"$log" 2>&1 || status=$?
+    runs=$(sed -n 's/^Done \([0-9]*\) runs.*/\1/p' "$log")
+  fi
+  local count=0
+  [ "$status" -eq 0 ] || count=1
+  echo "$target: ${runs:-unknown} runs, $((SECONDS - start)) seconds, $count findings$([ $count -eq 0 ] || echo "; see $findings")"
+  return "$count"
+}
+export -f fuzz_one
+
+printf '%s\n' "$@" | xargs -P "$(nproc)" -I TARGET bash -c 'fuzz_one TARGET' && status=0 || status=1
+[ "$status" -eq 0 ] && echo "no findings" || echo "there are findings"
+exit "$status"

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/ros/conversions.h"
+#include "messages.h"
+#include "model_uses.h"
+#include "support/ros_messages.h"
+
+using namespace cabinet_articulation;
+
+std::vector<std::string> fuzz::seeds() {
+  const std::vector<core::Track> tracks = tracksOf(exampleFronts());
+  std::vector<core::TrackUpdate> whole, ends;
+  for (const core::Track& track : tracks) {
+    const auto& all = track.observations;
+    whole.push_back({track, 0});
+    whole.back().track.observations.pop_back();
+    ends.push_back({track, all.size() - 2});
+    ends.back().track.observations.assign(all.end() - 2, all.end());
+  }
+  std_msgs::Header header = test::exampleHeader();
+  return {serialized(toMessage(whole, header), toMessage(ends, header)), serialized(toMessage(tracks, header))};
+}
+
+/// Tracks as the articulation stage gets them: whole ones, and what is new.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::examineMessages(data, size, [](fuzz::MessageReader& reader) {
+    core::ArticulationLearner learner{core::ArticulationConfig()};
+    core::KnownFronts known;
+    std::string frame;
+    do {
+      const auto message = reader.next<TrackArray>();
+      frame = message->header.frame_id;
+      known.follow(fromMessage(*message));
+      const std::vector<core::LearnedModel> models = learner.process(known.tracks());
+      known.update(models);
+      fuzz::useModels(models, frame);
+    } while (!reader.atEnd());
+    fuzz::saveAndLoad(known.joints(), frame);
+  });
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cabinet_articulation/Configuration.h>
+#include <cabinet_articulation/ExportUrdf.h>
+#include <cabinet_articulation/HandlePath.h>
+#include <cabinet_articulation/Predict.h>
+
+#include "cabinet_articulation/joints/prediction.h"
+#include "cabinet_articulation/joints/request_limits.h"
+#include "cabinet_articulation/joints/urdf.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
+#include "messages.h"
+#include "model_uses.h"
+#include "small_frame.h"
+
+using namespace cabinet_articulation;
+
+namespace {
+
+constexpr char kPredict = 'p', kConfiguration = 'c', kHandlePath = 'h', kExportUrdf = 'u';
+
+const core::LearnedModel& modelOf(std::uint32_t id) {
+  static const core::KnownFronts known = [] {
+    core::KnownFronts fronts;
+    fronts.replace(fuzz::exampleFronts());
+    return fronts;
+  }();
+  return known.at(id);
+}
+
+void answer(const Predict::Request& request) {
+  core::requireFewEntries(request.q.size(), "openings in q");
+  for (const double q : request.q) core::predictWithCovariance(modelOf(request.id), q);
+}
+
+void answer(const Configuration::Request& request) { core::findConfiguration(modelOf(request.id), fromMessage(request.pose)); }
+
+void answer(const HandlePath::Request& request) {
+  geometry_msgs::Pose grasp;
+  grasp.position = request.grasp_point;
+  grasp.orientation = request.grasp_orientation;
+  core::handlePath(modelOf(request.id), fromMessage(grasp), request.q_from, request.q_to, static_cast<int>(request.steps));
+}
+
+void answer(const ExportUrdf::Request& request) {
+  core::requireFewEntries(request.ids.size(), "ids");
+  std::vector<core::LearnedModel> models;
+  for (const std::uint32_t id : request.ids) models.push_back(modelOf(id));
+  core::toUrdf(models, "map", "cabinet");
+}
+
+}  // namespace
+
+std::vector<std::string> fuzz::seeds() {
+  Predict::Request predict;
+  predict.id = 3;
+  predict.q = {-0.25, 0.5, 1.25};
+  Configuration::Request configuration;
+  configuration.id = 6;
+  configuration.pose = toMessage(test::facingCamera(0.1, 0.2, 1.3));
+  HandlePath::Request path;
+  path.id = 4;
+  path.grasp_point.x = 0.125;
+  path.grasp_orientation.w = 1;
+  path.q_from = 0.0625;
+  path.q_to = 0.25;
+  path.steps = 5;
+  ExportUrdf::Request urdf;
+  urdf.ids = {3, 4};
+  return {kPredict + serialized(predict), kConfiguration + serialized(configuration), kHandlePath + serialized(path),
+          kExportUrdf + serialized(urdf)};
+}
+
+/// What the services on learned models do with a request; the first byte says which service.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  return fuzz::examineMessages<core::ModelError>(data + 1, size - 1, [service = data[0]](fuzz::MessageReader& reader) {
+    if (service == kPredict) answer(*reader.next<Predict::Request>());
+    if (service == kConfiguration) answer(*reader.next<Configuration::Request>());
+    if (service == kHandlePath) answer(*reader.next<HandlePath::Request>());
+    if (service == kExportUrdf) answer(*reader.next<ExportUrdf::Request>());
+  });
+}

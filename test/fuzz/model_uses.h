@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cabinet_articulation/joints/known_fronts.h"
+
+namespace cabinet_articulation::fuzz {
+
+/// A door, a drawer and a garage door, each with a short history.
+std::vector<core::KnownFront> exampleFronts();
+
+std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fronts);
+std::vector<core::Track> tracksOf(const std::vector<core::KnownFront>& fronts);
+
+/// All fronts where they were seen last.
+std::vector<core::DetectedRectangle> seenAgain(const std::vector<core::KnownFront>& fronts);
+
+/// All that is done with models once they are known: drawn, published, exported, and asked where fronts will be.
+void useModels(const std::vector<core::LearnedModel>& models, const std::string& frame);
+
+/// Saves, and reports unless they can be loaded again: what was learned is never lost.
+void saveAndLoad(const std::vector<core::KnownFront>& fronts, const std::string& frame);
+
+}  // namespace cabinet_articulation::fuzz

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/make_shared.hpp>
+
+#include "cabinet_articulation/pipeline/pipeline.h"
+#include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/ros/frame_assembler.h"
+#include "cabinet_articulation/ros/image_conversions.h"
+#include "cabinet_articulation/ros/plane_messages.h"
+#include "messages.h"
+#include "small_frame.h"
+
+using namespace cabinet_articulation;
+
+namespace {
+
+FrameMessages messagesOf(const fuzz::SmallFrame& frame) {
+  FrameMessages messages;
+  messages.info = boost::make_shared<sensor_msgs::CameraInfo>(frame.info(false));
+  messages.right_info = boost::make_shared<sensor_msgs::CameraInfo>(frame.info(true));
+  messages.disparity = boost::make_shared<stereo_msgs::DisparityImage>(frame.disparity());
+  messages.left = boost::make_shared<sensor_msgs::Image>(frame.image(false));
+  messages.right = boost::make_shared<sensor_msgs::Image>(frame.image(true));
+  return messages;
+}
+
+FrameAssembler assembler() { return {{}, {}, FrameTopics::below("", "disparity"), {}}; }
+
+ExpectedFrontArray expectedFronts(const fuzz::SmallFrame& frame) {
+  core::ExpectedFront front;
+  front.stamp = frame.header.stamp.toSec() - 0.07;
+  front.rectangle = frame.scene.front;
+  front.velocity = {0.1, 0.2, -0.3};
+  front.angular_velocity = {0.02, 0.3, 0.01};
+  return toMessage(core::ExpectedFronts{0.3, {front}}, frame.header);
+}
+
+}  // namespace
+
+std::vector<std::string> fuzz::seeds() {
+  const SmallFrame frame;
+  const FrameMessages messages = messagesOf(frame);
+  const FrameViews views = assembler().view(messages);
+  const auto regions = core::PlaneSegmenter(core::PlanesConfig()).process(views.frame);
+  if (regions.size() < 2) detail::report("the small frame has no front before a wall");
+  geometry_msgs::TransformStamped rests = exampleTransform();
+  return {serialized(*messages.info, *messages.right_info, exampleTransform(), expectedFronts(frame),
+                     *PlaneMessages().make(regions, frame.header))};
+}
+
+/// Planes, CameraInfos and expected fronts, as the rectangles stage gets them. The pixels are always the same.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static core::RectangleDetector detector{core::RectanglesConfig(), core::PlanesConfig()};
+  static const FrameMessages pixels = messagesOf(fuzz::SmallFrame());
+  return fuzz::examineMessages(data, size, [](fuzz::MessageReader& reader) {
+    FrameMessages messages = pixels;
+    messages.info = reader.next<sensor_msgs::CameraInfo>();
+    messages.right_info = reader.next<sensor_msgs::CameraInfo>();
+    const auto transform = reader.next<geometry_msgs::TransformStamped>();
+    const auto expected = reader.next<ExpectedFrontArray>();
+    const auto planes = reader.next<PlaneArray>();
+    std::vector<core::Rectangle> proposals;
+    try {
+      proposals = core::expectedInCamera(fromMessage(*expected), planes->header.stamp.toSec(), fuzz::throughTf(*transform));
+    } catch (const std::invalid_argument&) {  // the stage goes on without
+    }
+    const FrameViews views = assembler().view(messages);
+    toMessage(detector.process(views.frame, fromMessage(*planes), proposals), planes->header);
+  });
+}
