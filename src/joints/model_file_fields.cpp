@@ -168,7 +168,12 @@ TrackedObservation observationFromYaml(const YAML::Node& node) {
   observation.rectangle = {pose(&n[1], "observations"), n[8], n[9]};
   requireSideOrUnknown("an observation's width", n[8]);
   requireSideOrUnknown("an observation's height", n[9]);
-  for (std::size_t i = 0; i < kEdges; ++i) observation.edge_support[i] = static_cast<float>(n[10 + i]);
+  for (std::size_t i = 0; i < kEdges; ++i) {
+    requireWithin("an observation's share of an edge", n[10 + i], limits::kShare);
+    observation.edge_support[i] = static_cast<float>(n[10 + i]);
+  }
+  for (std::size_t i = 10 + kEdges; i < kObservation; ++i)
+    requireWithin("an observation's covariance", n[i], limits::kJointVariance);
   observation.covariance = covariance(&n[10 + kEdges]);
   observation.measured = observation.rectangle;
   observation.measured_covariance = observation.covariance;
@@ -243,6 +248,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   for (const auto& entry : node["params"]) {
     if (isField(entry.first.Scalar())) continue;
     const Numbers param = numbers(entry.second, "params", 2);
+    requireWithin("a param's kind", param[1], {ModelParam::kPrior, ModelParam::kEval, "(a kind)"});
     model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
   }
   front.track.id = model.id;
