@@ -16,6 +16,8 @@ static_assert(kLeastPoses > MotionCriterion::kFew, "the evidence of joints that 
 
 constexpr int kCurvePoses = 33;
 
+constexpr double kShortestWay = 1e-6;  ///< [m] fits begin at thousands of it
+
 /// For learned models: what a front's place says about q against its turn, as for a rotational joint.
 constexpr double kMetresPerRadian = 0.03;
 
@@ -28,6 +30,11 @@ std::vector<double> placesAlong(PathShape shape, const PoseSamples& samples, con
 }
 
 bool isCheaper(const CurveFit& a, const CurveFit& b) { return a.cost < b.cost; }
+
+/// False for models of other programs that name no way, or one too short to divide by.
+bool hasWay(const LearnedModel& model) {
+  return model.curve.size() >= PoseCurve::kLeastKnots && model.q_max - model.q_min >= kShortestWay;
+}
 
 }  // namespace
 
@@ -109,12 +116,12 @@ std::vector<ModelParam> NonparametricModel::parameters() const {
 }
 
 Eigen::Isometry3d NonparametricModel::predictLearned(const LearnedModel& model, double q) {
-  if (model.curve.size() < PoseCurve::kLeastKnots || !(model.q_max > model.q_min)) return model.origin;
+  if (!hasWay(model)) return model.origin;
   return PoseCurve(model.curve, model.q_min, model.q_max).pose(q);
 }
 
 double NonparametricModel::configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front) {
-  if (model.curve.size() < PoseCurve::kLeastKnots || !(model.q_max > model.q_min)) return 0;
+  if (!hasWay(model)) return 0;
   return PoseCurve(model.curve, model.q_min, model.q_max).nearest(front, kMetresPerRadian);
 }
 

@@ -82,7 +82,7 @@ double PoseCurve::nearestFrom(double q, const Eigen::Isometry3d& pose, double me
     if (turn.dot(unit) < 0) turn = -turn;
     const double along = slope.head<3>().dot(pose.translation() - at.head<3>()) + scale * scale * unit_slope.dot(turn - unit);
     const double square = slope.head<3>().squaredNorm() + scale * scale * unit_slope.squaredNorm();
-    if (square < 1e-18) break;
+    if (!(square >= 1e-18)) break;  // also where quaternions cancel out, which has no direction
     const double change = std::clamp(along / square, -4 * step_, 4 * step_);
     q += change;
     if (std::abs(change) < 1e-9) break;

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "message_stream.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -66,7 +68,8 @@ std::string missingTopics(const BagInput& input, const Topics& topics) {
 
 bool holdsDepth(const rosbag::Bag& bag, const std::string& topic) {
   rosbag::View view(bag, rosbag::TopicQuery(topic));
-  const auto image = view.begin()->instantiate<sensor_msgs::Image>();
+  if (view.size() == 0) return false;
+  const auto image = readMessage<sensor_msgs::Image>(*view.begin());
   return image && (image->encoding == "32FC1" || image->encoding == "16UC1" || image->encoding == "mono16");
 }
 

@@ -9,6 +9,7 @@
 
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "cabinet_articulation/ros/transform_lookup.h"
+#include "message_stream.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -23,7 +24,7 @@ BagTransforms::BagTransforms(const rosbag::Bag& bag) {
   const double length = view.size() > 0 ? secondsBetween(view.getBeginTime(), view.getEndTime()) : 0;
   buffer_ = std::make_unique<tf2::BufferCore>(ros::Duration(std::min(length, kLongest) + kLag));
   for (const rosbag::MessageInstance& instance : view) {
-    const auto message = instance.instantiate<tf2_msgs::TFMessage>();
+    const auto message = readMessage<tf2_msgs::TFMessage>(instance);
     if (!message) continue;
     const bool is_static = instance.getTopic().find("static") != std::string::npos;
     try {

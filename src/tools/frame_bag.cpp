@@ -9,6 +9,7 @@
 
 #include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/image_conversions.h"
+#include "message_stream.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 
 namespace cabinet_articulation {
@@ -35,7 +36,7 @@ void openBag(const std::string& path, rosbag::Bag* bag) {
 
 template <class Message>
 boost::shared_ptr<const Message> read(const rosbag::MessageInstance& instance, const std::string& path) {
-  const boost::shared_ptr<const Message> message = instance.instantiate<Message>();
+  const boost::shared_ptr<const Message> message = readMessage<Message>(instance);
   if (!message) throw std::runtime_error(path + ": unreadable message on " + instance.getTopic());
   return message;
 }
@@ -87,7 +88,7 @@ void FrameBag::forEachFrame(const Callback& callback, SkippedFrames* skipped) {
 FrameBag::Infos FrameBag::readInfos(const std::string& topic) const {
   Infos infos;
   for (const rosbag::MessageInstance& instance : rosbag::View(bag_, rosbag::TopicQuery(topic)))
-    if (const auto info = instance.instantiate<sensor_msgs::CameraInfo>()) infos[info->header.stamp] = info;
+    if (const auto info = readMessage<sensor_msgs::CameraInfo>(instance)) infos[info->header.stamp] = info;
   return infos;
 }
 

@@ -12,6 +12,7 @@
 
 #include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "message_stream.h"
 #include "pose_log.h"
 #include "run_program.h"
 
@@ -26,7 +27,7 @@ std::map<std::uint32_t, core::Track> lastTracks(const std::string& path) {
   core::TrackAssembly assembly;
   std::map<std::uint32_t, core::Track> ended;
   for (const rosbag::MessageInstance& entry : rosbag::View(bag)) {
-    const TrackArrayConstPtr message = entry.instantiate<TrackArray>();
+    const TrackArrayConstPtr message = readMessage<TrackArray>(entry);
     if (!message) continue;
     assembly.add(fromMessage(*message));
     for (const core::Track& track : assembly.ended()) ended[track.id] = track;

@@ -7,7 +7,7 @@
 
 using namespace cabinet_articulation;
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const std::vector<core::Track> tracks = tracksOf(exampleFronts());
   std::vector<core::TrackUpdate> whole, ends;
   for (const core::Track& track : tracks) {
@@ -17,8 +17,10 @@ std::vector<std::string> fuzz::seeds() {
     ends.push_back({track, all.size() - 2});
     ends.back().track.observations.assign(all.end() - 2, all.end());
   }
-  std_msgs::Header header = test::exampleHeader();
-  return {serialized(toMessage(whole, header), toMessage(ends, header)), serialized(toMessage(tracks, header))};
+  std_msgs::Header header = test::exampleHeader(), late = header;
+  late.stamp.sec = 4294967290U;
+  return {{serialized(toMessage(whole, header), toMessage(ends, header)), serialized(toMessage(tracks, header))},
+          {serialized(toMessage(tracks, late)), serialized(toMessage(tracks, header), toMessage(tracks, late))}};
 }
 
 /// Tracks as the articulation stage gets them: whole ones, and what is new.

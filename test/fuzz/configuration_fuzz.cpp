@@ -11,10 +11,10 @@
 
 using namespace cabinet_articulation;
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   std::vector<std::string> texts;
   for (const core::ConfigFile& file : core::configCatalogue()) texts.push_back(file.yaml);
-  return texts;
+  return {texts};
 }
 
 /// A file of settings, taken for that of each stage in turn, as process_bag and detect_image load it. The settings of the

@@ -7,13 +7,13 @@
 
 using namespace cabinet_articulation;
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const SmallFrame frame;
   sensor_msgs::Image millimetres = test::greyImage(128, 48, frame.header, [](int u, int) { return u % 2 == 0 ? 0 : 4; });
   millimetres.encoding = sensor_msgs::image_encodings::TYPE_16UC1;
   millimetres.step = millimetres.width;
   millimetres.width /= 2;
-  return {serialized(frame.info(false), frame.depth()), serialized(frame.info(false), millimetres)};
+  return {{serialized(frame.info(false), frame.depth()), serialized(frame.info(false), millimetres)}};
 }
 
 /// A depth image and its CameraInfo, as the planes stage gets them.

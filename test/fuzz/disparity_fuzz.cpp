@@ -7,9 +7,18 @@
 
 using namespace cabinet_articulation;
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const SmallFrame frame;
-  return {serialized(frame.info(false), frame.info(true), frame.disparity(), frame.image(false), frame.image(true))};
+  sensor_msgs::CameraInfo far_sighted = frame.info(false);
+  far_sighted.P[0] = 1e38;
+  stereo_msgs::DisparityImage late = frame.disparity(), flat = frame.disparity();
+  late.header.stamp.sec = 4294967290U;
+  flat.T = 1e-38F;
+  const std::string images = serialized(frame.image(false), frame.image(true));
+  return {{serialized(frame.info(false), frame.info(true), frame.disparity()) + images},
+          {serialized(far_sighted, frame.info(true), frame.disparity()) + images,
+           serialized(frame.info(false), frame.info(true), late) + images,
+           serialized(frame.info(false), frame.info(true), flat) + images}};
 }
 
 /// A disparity image, its images and its CameraInfos, as the planes stage gets them.

@@ -7,10 +7,13 @@
 
 using namespace cabinet_articulation;
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   std::vector<std::string> requests;
   for (const core::Track& track : tracksOf(exampleFronts())) requests.push_back(serialized(toMessage(track, "map")));
-  return requests;
+  Track far = toMessage(exampleFronts()[0].track, "map"), large = far;
+  far.poses[0].position.x = 1e154;
+  large.widths[0] = 1e18;
+  return {requests, {serialized(far), serialized(large)}};
 }
 
 /// A request to the service fit_track.

@@ -23,8 +23,14 @@ constexpr double kLongestRun = 2;               ///< [s] of processor time for o
 constexpr std::size_t kMostMemory = 512 << 20;  ///< [bytes] by which one input may raise the peak
 constexpr std::size_t kLargestInput = 1 << 16;  ///< [bytes] mutations do not grow beyond
 
-/// Of each target: valid inputs from which mutations start. Built by the code, so that they follow the messages' definitions.
-std::vector<std::string> seeds();
+/// Inputs that are built by the code, so that they follow the messages' definitions.
+struct Seeds {
+  std::vector<std::string> valid;         ///< mutations start from these
+  std::vector<std::string> hostile = {};  ///< what once ended a process
+};
+
+/// Of each target.
+Seeds seeds();
 
 /// Whether the last input was taken to the end, not refused.
 bool wasAccepted();

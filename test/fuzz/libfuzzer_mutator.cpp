@@ -10,7 +10,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 /// libFuzzer's own changes, which it learns from what they reach, and ours, which know numbers.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed) {
   using namespace cabinet_articulation::fuzz;
-  static const std::vector<std::string> kSeeds = seeds();
+  static const std::vector<std::string> kSeeds = seeds().valid;
   Mutator mutator(seed);
   if (size > 0 && mutator.below(3) == 0) return LLVMFuzzerMutate(data, size, max_size);
   std::string input(reinterpret_cast<const char*>(data), size);

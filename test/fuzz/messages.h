@@ -7,34 +7,12 @@
 #include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "cabinet_articulation/ros/limits.h"
 #include "fuzz_target.h"
+#include "message_stream.h"
 
 namespace cabinet_articulation::fuzz {
-
-/// As ros::serialization::IStream, but a list is no longer than the bytes that are left. ROS itself makes room for whatever a
-/// length says, before anything of ours is asked.
-class MessageStream : public ros::serialization::Stream {
- public:
-  MessageStream(std::uint8_t* data, std::size_t size) : Stream(data, static_cast<std::uint32_t>(size)) {}
-
-  template <class Value>
-  void next(Value& value) {
-    deserialize(*this, value);
-  }
-};
-
-/// Found by its argument when ROS reads a list.
-template <class Element, class Allocator>
-void deserialize(MessageStream& stream, std::vector<Element, Allocator>& list) {
-  MessageStream ahead(stream.getData(), stream.getLength());
-  std::uint32_t length = 0;
-  ahead.next(length);
-  if (length > ahead.getLength()) throw ros::serialization::StreamOverrunException("a list is longer than its message");
-  ros::serialization::VectorSerializer<Element, Allocator>::read(stream, list);
-}
 
 /// Serialized messages, one after the other.
 class MessageReader {

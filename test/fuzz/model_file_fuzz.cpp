@@ -14,13 +14,13 @@ constexpr double kLater = 1795323300;  ///< [s] after all that the seeds know
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const ScratchFile file("seed.yaml");
   core::saveModelFile(file.path(), {"map", exampleFronts()});
   const std::string all = file.read();
   file.remove();
   core::saveModelFile(file.path(), {"odom", {exampleFronts()[0]}});
-  return {all, file.read()};
+  return {{all, file.read()}};
 }
 
 /// A file that somebody wrote, by hand perhaps, and all that starts from it.

@@ -50,7 +50,7 @@ void answer(const ExportUrdf::Request& request) {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   Predict::Request predict;
   predict.id = 3;
   predict.q = {-0.25, 0.5, 1.25};
@@ -66,8 +66,13 @@ std::vector<std::string> fuzz::seeds() {
   path.steps = 5;
   ExportUrdf::Request urdf;
   urdf.ids = {3, 4};
-  return {kPredict + serialized(predict), kConfiguration + serialized(configuration), kHandlePath + serialized(path),
-          kExportUrdf + serialized(urdf)};
+  Predict::Request many = predict;
+  many.q.assign(1000000, 0.5);
+  ExportUrdf::Request all;
+  all.ids.assign(1000000, 3);
+  return {{kPredict + serialized(predict), kConfiguration + serialized(configuration), kHandlePath + serialized(path),
+           kExportUrdf + serialized(urdf)},
+          {kPredict + serialized(many), kExportUrdf + serialized(all)}};
 }
 
 /// What the services on learned models do with a request; the first byte says which service.

@@ -11,12 +11,12 @@
 
 using namespace cabinet_articulation;
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const SmallFrame frame;
   std::vector<core::LearnedModel> models = modelsOf(exampleFronts());
   models.push_back(test::unexplainedModel());
   const RectangleArray rectangles = toMessage(seenAgain(exampleFronts()), frame.header);
-  return {serialized(frame.info(false), exampleTransform(), rectangles, toMessage(models, frame.header))};
+  return {{serialized(frame.info(false), exampleTransform(), rectangles, toMessage(models, frame.header))}};
 }
 
 /// Rectangles and models, as the overlay stage gets them, with the camera to draw them for.

@@ -25,11 +25,11 @@ core::PoseLog read(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   std::vector<std::string> logs = {"1 2 3\n1.1 2 3\n1.2 2 3.01\n1.3 2 3\n",
                                    "0 0.5 1 0 0 0 1\n0.1 0.5 1 0 0.1 0 0.995\n0.2 0.5 1 0 0.2 0 0.98\n"};
   for (const core::Track& track : tracksOf(exampleFronts())) logs.push_back(logOf(track));
-  return logs;
+  return {logs};
 }
 
 /// What fit_track does with a file.

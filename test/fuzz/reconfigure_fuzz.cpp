@@ -17,10 +17,10 @@ Config tuned(const core::ConfigValues& values) {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
-  return {"0" + serialized(toTuning(core::StereoConfig())), "1" + serialized(toTuning(core::PlanesConfig())),
-          "2" + serialized(toTuning(core::RectanglesConfig())), "3" + serialized(toTuning(core::TrackingConfig())),
-          "4" + serialized(toTuning(core::ArticulationConfig()))};
+fuzz::Seeds fuzz::seeds() {
+  return {{"0" + serialized(toTuning(core::StereoConfig())), "1" + serialized(toTuning(core::PlanesConfig())),
+           "2" + serialized(toTuning(core::RectanglesConfig())), "3" + serialized(toTuning(core::TrackingConfig())),
+           "4" + serialized(toTuning(core::ArticulationConfig()))}};
 }
 
 /// What rqt_reconfigure sends to a stage, whose number is the first byte.

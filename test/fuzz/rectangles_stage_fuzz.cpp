@@ -36,15 +36,22 @@ ExpectedFrontArray expectedFronts(const fuzz::SmallFrame& frame) {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const SmallFrame frame;
   const FrameMessages messages = messagesOf(frame);
   const FrameViews views = assembler().view(messages);
   const auto regions = core::PlaneSegmenter(core::PlanesConfig()).process(views.frame);
   if (regions.size() < 2) detail::report("the small frame has no front before a wall");
-  geometry_msgs::TransformStamped rests = exampleTransform();
-  return {serialized(*messages.info, *messages.right_info, exampleTransform(), expectedFronts(frame),
-                     *PlaneMessages().make(regions, frame.header))};
+  const PlaneArray planes = *PlaneMessages().make(regions, frame.header);
+  const auto with = [&](const sensor_msgs::CameraInfo& info, const PlaneArray& changed) {
+    return serialized(info, *messages.right_info, exampleTransform(), expectedFronts(frame), changed);
+  };
+  sensor_msgs::CameraInfo far_sighted = *messages.info;
+  far_sighted.P[0] = 1e38;
+  PlaneArray late = planes, far = planes;
+  late.header.stamp.sec = 4294967290U;
+  far.planes[0].hull[0].x = 3e38F;
+  return {{with(*messages.info, planes)}, {with(far_sighted, planes), with(*messages.info, late), with(*messages.info, far)}};
 }
 
 /// Planes, CameraInfos and expected fronts, as the rectangles stage gets them. The pixels are always the same.

@@ -28,7 +28,7 @@ JointTruth truthOf(const core::LearnedModel& model) {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const std::vector<core::LearnedModel> models = modelsOf(exampleFronts());
   SceneTruth truth;
   truth.header = test::exampleHeader();
@@ -37,7 +37,7 @@ std::vector<std::string> fuzz::seeds() {
   truth.camera.pose = toMessage(test::facingCamera(1, 2, 3));
   truth.joints = {truthOf(models[0]), truthOf(models[1])};
   truth.fixed = {truthOf(test::restingModel())};
-  return {serialized(truth, toMessage(models, truth.header))};
+  return {{serialized(truth, toMessage(models, truth.header))}};
 }
 
 /// The simulation's truth beside models, as the reports of the demo get them.

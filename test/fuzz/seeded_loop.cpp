@@ -48,18 +48,19 @@ LoopResult runSeededLoop(const LoopOptions& options) {
     return options.seconds > 0 && std::chrono::duration<double>(Clock::now() - start).count() > options.seconds;
   };
   LoopResult result;
-  const std::vector<std::string> good = seeds();
-  for (const std::string& seed : good) {
-    tryInput(seed, options.running);
+  const Seeds built = seeds();
+  for (const std::string& input : built.valid) {
+    tryInput(input, options.running);
     result.seeds_refused += !wasAccepted();
   }
+  for (const std::string& input : built.hostile) tryInput(input, options.running);
   std::vector<std::string> pool = readCorpus(options.corpus);
   for (const std::string& input : pool) tryInput(input, options.running);
-  pool.insert(pool.end(), good.begin(), good.end());
+  pool.insert(pool.end(), built.valid.begin(), built.valid.end());
   Mutator mutator(options.seed);
   for (; result.runs < options.runs && !is_over(); ++result.runs) {
     std::string input = pool[mutator.below(pool.size())];
-    mutator(good, &input);
+    mutator(built.valid, &input);
     tryInput(input, options.running);
     result.accepted += wasAccepted();
   }

@@ -17,7 +17,7 @@ struct LoopOptions {
 struct LoopResult {
   long runs = 0;
   long accepted = 0;
-  long seeds_refused = 0;  ///< a seed that the target refuses tests nothing
+  long seeds_refused = 0;  ///< of the valid ones; then mutations test nothing
 };
 
 /// Tries the seeds and the corpus as they are, and then mutations of them. Ends the program at the first finding.

@@ -16,9 +16,18 @@ core::StereoConfig smallRange() {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   const SmallFrame frame;
-  return {serialized(frame.info(false), frame.info(true), frame.image(false), frame.image(true))};
+  sensor_msgs::CameraInfo far_sighted = frame.info(false);
+  far_sighted.P[0] = 1e38;
+  sensor_msgs::Image late = frame.image(false), wide = frame.image(false);
+  late.header.stamp.sec = 4294967290U;
+  // Its 48 rows of 2^28 + 64 bytes are 3072 bytes where 32 bits hold the product.
+  wide.step += 1U << 28U;
+  return {{serialized(frame.info(false), frame.info(true), frame.image(false), frame.image(true))},
+          {serialized(far_sighted, frame.info(true), frame.image(false), frame.image(true)),
+           serialized(frame.info(false), frame.info(true), late, frame.image(true)),
+           serialized(frame.info(false), frame.info(true), wide, frame.image(true))}};
 }
 
 /// A pair of images and their CameraInfos, as the stereo stage gets them.

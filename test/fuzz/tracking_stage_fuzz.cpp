@@ -34,10 +34,13 @@ RectangleArray rectanglesOf(int frame) {
 
 }  // namespace
 
-std::vector<std::string> fuzz::seeds() {
+fuzz::Seeds fuzz::seeds() {
   std::string frames;
   for (int i = 0; i < kFrames; ++i) frames += serialized(rectanglesOf(i));
-  return {serialized(exampleTransform(), knownFronts()) + frames, serialized(exampleTransform(), KnownFrontArray()) + frames};
+  RectangleArray late = rectanglesOf(1);
+  late.header.stamp.sec = 4294967290U;
+  return {{serialized(exampleTransform(), knownFronts()) + frames, serialized(exampleTransform(), KnownFrontArray()) + frames},
+          {serialized(exampleTransform(), knownFronts(), rectanglesOf(0), late, rectanglesOf(2), rectanglesOf(3))}};
 }
 
 /// Fronts that are known, then some frames of rectangles, as the tracking stage gets them.
