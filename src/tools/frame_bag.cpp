@@ -9,8 +9,8 @@
 
 #include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "message_stream.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "message_stream.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -111,7 +111,8 @@ void FrameBag::forEachPair(const Callback& callback, SkippedFrames* skipped) {
     const std::string trouble = sizeTrouble(*pair->left, *pair->right, *left, *right);
     if (!trouble.empty())
       skipped->add("left and right image and their CameraInfos differ in size", trouble);
-    else if (const auto views = usable(header, [&] { return viewPair(*pair, *left, *right); }, skipped))
+    else if (const auto views = usable(
+                 header, [&] { return viewPair(*pair, *left, *right); }, skipped))
       callback(header, *views);
   }
   matcher.giveUpAll();
@@ -135,7 +136,8 @@ void FrameBag::forEachDepth(const Callback& callback, SkippedFrames* skipped) {
   FrameInputConfig config;
   config.input = input_.kind;
   FrameAssembler assembler(config, SyncConfig(), topics, [&](const FrameMessages& messages) {
-    if (const auto views = usable(messages.header(), [&] { return assembler.view(messages); }, skipped))
+    if (const auto views = usable(
+            messages.header(), [&] { return assembler.view(messages); }, skipped))
       callback(messages.header(), *views);
   });
   const auto comes = [this](const std::string& topic) { return rosbag::View(bag_, rosbag::TopicQuery(topic)).size() > 0; };

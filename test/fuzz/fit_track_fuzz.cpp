@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/articulation_learner.h"
-#include "cabinet_articulation/joints/request_limits.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "messages.h"
 #include "model_uses.h"
@@ -18,11 +17,9 @@ fuzz::Seeds fuzz::seeds() {
 
 /// A request to the service fit_track.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return fuzz::examineMessages<core::ModelError>(data, size, [](fuzz::MessageReader& reader) {
+  return fuzz::examineMessages(data, size, [](fuzz::MessageReader& reader) {
     const auto message = reader.next<Track>();
-    core::requireFewEntries(message->poses.size(), "poses");
     const core::Track track = wholeTrack(*message);
-    core::requireSaneTrack(track);
     fuzz::useModels(core::fitAllModels(track, {}), message->header.frame_id);
   });
 }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cabinet_articulation/ros/limits.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
 #include "fuzz_target.h"
 #include "message_stream.h"
 

@@ -4,8 +4,8 @@
 #include <cabinet_articulation/HandlePath.h>
 #include <cabinet_articulation/Predict.h>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/joints/prediction.h"
-#include "cabinet_articulation/joints/request_limits.h"
 #include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "messages.h"
@@ -28,7 +28,7 @@ const core::LearnedModel& modelOf(std::uint32_t id) {
 }
 
 void answer(const Predict::Request& request) {
-  core::requireFewEntries(request.q.size(), "openings in q");
+  core::requireAtMost("openings in q", request.q.size(), core::limits::kMostEntries);
   for (const double q : request.q) core::predictWithCovariance(modelOf(request.id), q);
 }
 
@@ -42,7 +42,7 @@ void answer(const HandlePath::Request& request) {
 }
 
 void answer(const ExportUrdf::Request& request) {
-  core::requireFewEntries(request.ids.size(), "ids");
+  core::requireAtMost("ids", request.ids.size(), core::limits::kMostEntries);
   std::vector<core::LearnedModel> models;
   for (const std::uint32_t id : request.ids) models.push_back(modelOf(id));
   core::toUrdf(models, "map", "cabinet");

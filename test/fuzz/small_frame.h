@@ -54,8 +54,10 @@ inline geometry_msgs::TransformStamped exampleTransform() {
 /// The same as the stages get it. Throws std::invalid_argument for what tf does not take or know.
 inline Eigen::Isometry3d throughTf(const geometry_msgs::TransformStamped& message) {
   try {
+    tf2_msgs::TFMessage transforms;
+    transforms.transforms = {message};
     tf2::BufferCore buffer;
-    if (!buffer.setTransform(message, "fuzz")) throw std::invalid_argument("tf does not take the transform");
+    addTransforms(transforms, false, &buffer);
     return lookupTransform(buffer, message.header.frame_id, message.child_frame_id, message.header.stamp);
   } catch (const tf2::TransformException& error) {
     throw std::invalid_argument(error.what());

@@ -50,10 +50,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     core::TrackUpdates updates;
     const Eigen::Isometry3d T_fixed_camera = fuzz::throughTf(*reader.next<geometry_msgs::TransformStamped>());
     const auto known = reader.next<KnownFrontArray>();
+    std::vector<core::Track> fronts = fromMessage(*known);
     tracker.useIdsFrom(known->next_id);
     for (const std::uint32_t id : known->forgotten) tracker.forget(id);
-    std::vector<core::Track> fronts;
-    for (const Track& track : known->tracks) fronts.push_back(wholeTrack(track));
     tracker.remember(std::move(fronts));
     for (int i = 0; i < kFrames; ++i) {
       const auto message = reader.next<RectangleArray>();
