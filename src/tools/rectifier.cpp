@@ -17,6 +17,8 @@ cv::Mat Rectifier::operator()(const cv::Mat& image, const sensor_msgs::CameraInf
   } catch (const image_geometry::Exception&) {
     throw std::runtime_error("distortion model '" + info.distortion_model +
                              "' is not known, expected plumb_bob, rational_polynomial or equidistant");
+  } catch (const cv::Exception& error) {
+    throw std::runtime_error("CameraInfo describes no lens that images can be rectified for: " + error.err);
   }
   return rectified;
 }
