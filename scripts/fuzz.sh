@@ -29,9 +29,11 @@ flags+=" -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
 flags+=" -fno-sanitize=alignment"
 if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
   clang++ -fsanitize=fuzzer -x c++ - -o /dev/null 2>/dev/null; then
-  fuzzer=(-DCMAKE_CXX_COMPILER=clang++ -DCABINET_FUZZER=ON -DCMAKE_CXX_FLAGS="$flags -fsanitize=fuzzer-no-link")
+  export libfuzzer=true
+  fuzzer=(-DCMAKE_CXX_COMPILER=clang++ -DCABINET_ARTICULATION_FUZZER=ON -DCMAKE_CXX_FLAGS="$flags -fsanitize=fuzzer-no-link")
 else
-  fuzzer=(-DCABINET_FUZZER=OFF -DCMAKE_CXX_FLAGS="$flags")
+  export libfuzzer=false
+  fuzzer=(-DCABINET_ARTICULATION_FUZZER=OFF -DCMAKE_CXX_FLAGS="$flags")
 fi
 mkdir -p "$build/devel/lib/python3/dist-packages" "$build/findings" "$build/corpus"
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
@@ -40,7 +42,7 @@ make -C "$build" -j"$(nproc)" --no-print-directory fuzzers >"$build/make.log" 2>
 
 programs=$build/devel/lib/cabinet_articulation
 if [ $# -eq 0 ]; then
-  set -- $(cd "$programs" && ls -d fuzz_* | sed 's/^fuzz_//')
+  set -- $(cd "$programs" && ls -d *_fuzz | sed 's/_fuzz$//')
 fi
 export build root seconds programs
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
@@ -52,14 +54,14 @@ fuzz_one() {
   rm -rf "$findings"
   mkdir -p "$findings" "$grown"
   cd "$findings"
-  if grep -q CABINET_FUZZER:BOOL=ON "$build/CMakeCache.txt"; then
+  if $libfuzzer; then
     local folders=("$grown")
     [ -d "$corpus" ] && folders+=("$corpus")
-    "$programs/fuzz_$target" "${folders[@]}" -max_total_time="$seconds" -max_len=65536 -timeout=60 -rss_limit_mb=3000 -malloc_limit_mb=1000 \
+    "$programs/${target}_fuzz" "${folders[@]}" -max_total_time="$seconds" -max_len=65536 -timeout=60 -rss_limit_mb=3000 -malloc_limit_mb=1000 \
       -print_final_stats=1 -verbosity=1 -artifact_prefix="$findings/" >"$log" 2>&1 || status=$?
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   else
-    "$programs/fuzz_$target" "$corpus" --seconds "$seconds" --seed "$RANDOM" --running "$findings/input" >"$log" 2>&1 || status=$?
+    "$programs/${target}_fuzz" "$corpus" --seconds "$seconds" --seed "$RANDOM" --running "$findings/input" >"$log" 2>&1 || status=$?
     runs=$(sed -n 's/^Done \([0-9]*\) runs.*/\1/p' "$log")
   fi
   local count=0

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <string>
+
 #include "seeded_loop.h"
 
 namespace cabinet_articulation::fuzz {
@@ -11,7 +13,7 @@ namespace {
 TEST(Fuzz, CorpusAndMutationsAreTakenOrRefused) {
   LoopOptions options;
   options.corpus = FUZZ_CORPUS;
-  options.running = "fuzz_" FUZZ_TARGET "." + std::to_string(::getpid());
+  options.running = FUZZ_TARGET "_input." + std::to_string(::getpid());
   options.runs = FUZZ_RUNS;
   RecordProperty("input_of_a_crash", std::filesystem::absolute(options.running).string());
   const LoopResult result = runSeededLoop(options);

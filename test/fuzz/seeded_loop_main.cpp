@@ -10,7 +10,7 @@
 namespace {
 
 constexpr char kUsage[] =
-    "usage: fuzz_TARGET CORPUS_FOLDER [--runs N] [--seconds S] [--seed K] [--running FILE]\n"
+    "usage: TARGET_fuzz CORPUS_FOLDER [--runs N] [--seconds S] [--seed K] [--running FILE]\n"
     "Tries the corpus and seeded mutations of it. A finding ends the program; its input is in FILE, ./running by default.\n";
 
 cabinet_articulation::fuzz::LoopOptions parseOptions(int argc, char** argv) {
