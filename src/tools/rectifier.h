@@ -12,7 +12,8 @@ namespace cabinet_articulation {
 /// rectified, whatever R and P say.
 class Rectifier {
  public:
-  /// Returns the image itself if it is rectified already. Throws std::runtime_error for a distortion model that is unknown or impossible.
+  /// Returns the image itself if it is rectified already. Throws std::runtime_error for a distortion model that is unknown or
+  /// impossible.
   cv::Mat operator()(const cv::Mat& image, const sensor_msgs::CameraInfo& info);
 
  private:

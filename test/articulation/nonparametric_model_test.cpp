@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/nonparametric_model.h"
 
+#include <limits>
 #include <gtest/gtest.h>
 
 #include "articulation/synthetic_tracks.h"
@@ -153,6 +154,15 @@ TEST(PoseCurve, ConfigurationIsTheInverseOfPrediction) {
     const double q = model.q_min + (model.q_max - model.q_min) * i / 10;
     EXPECT_NEAR(model.configuration(model.predict(q)), q, 1e-9) << i;
   }
+}
+
+TEST(PoseCurve, RestsWhereItsWayIsTooShortToDivideBy) {
+  LearnedModel model = learn(slidingAndTurningTrack(0.002, 1));
+  ASSERT_EQ(model.type, JointType::kNonparametric);
+  model.q_min = 0;
+  model.q_max = std::numeric_limits<double>::denorm_min();
+  EXPECT_TRUE(model.predict(0.1).isApprox(model.origin));
+  EXPECT_EQ(model.configuration(model.curve.back()), 0);
 }
 
 }  // namespace

@@ -181,6 +181,8 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
       {{"- [1795323253.350000", "- [-1.5"}, "'observations' has the time -1.5"},
       {{"- [1795323253.350000", "- [1e12"}, "'observations' has the time 1000000000000"},
       {{"- [1795323253.350000", "- [1795323254"}, "'observations' are not in the order of their times"},
+      {{", 1, 0.5, 0.25, 0, ", ", 1e154, 0.5, 0.25, 0, "}, "an observation's share of an edge is 1e+154, expected 0 to 1"},
+      {{"sigma_position: [0.01, 0]", "sigma_position: [0.01, 1e300]"}, "a param's kind is 1e+300, expected 0 to 2"},
       {{"width: 0.4", "width: -0.4"}, "width is -0.4, expected 0.001 to 10 m, or 0"},
       {{"q_max: 1.2", "q_max: .nan"}, "'q_max' is missing or no finite number"},
       {{"q_max: 1.2", "q_max: -1"}, "'q_min' is more than 'q_max'"},

@@ -78,5 +78,11 @@ TEST(Rectifier, SaysWhichDistortionModelItDoesNotKnow) {
   }
 }
 
+TEST(Rectifier, SaysThatALensIsImpossible) {
+  sensor_msgs::CameraInfo info = rectifiedCamera();
+  info.D.assign(6, 0.1);
+  EXPECT_THROW(Rectifier()(spotAt(rectifiedCamera(), {0, 0, 1}), info), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation
