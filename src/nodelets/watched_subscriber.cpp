@@ -7,7 +7,7 @@ namespace cabinet_articulation {
 
 std::string WatchedSubscriber::silence(double patience) const {
   const double silent = ros::WallTime::now().toSec() - heard_;
-  if (!subscriber_ || silent <= patience) return "";
+  if (!subscriber() || silent <= patience) return "";
   std::ostringstream text;
   text.precision(0);
   text << std::fixed << topic_ << ": nothing received for " << silent << " s, ";

@@ -32,16 +32,20 @@ class WatchedSubscriber {
       });
     };
     // Most messages are small: without this, TCP holds them back for some 40 ms where stages run in several processes.
-    subscriber_ = nh.subscribe<Message>(topic, kQueue, heard, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+    const ros::Subscriber subscriber =
+        nh.subscribe<Message>(topic, kQueue, heard, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+    std::lock_guard<std::mutex> lock(mutex_);
+    subscriber_ = subscriber;
   }
 
   /// Waits for a callback that is running.
-  void shutdown() { subscriber_.shutdown(); }
+  void shutdown() { subscriber().shutdown(); }
 
   /// Resolved; empty before the first subscription. The first one must not be under way in another thread.
   const std::string& topic() const { return topic_; }
 
-  std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }
+  /// May be called at any time from any thread, also while the stage subscribes anew.
+  std::uint32_t publishers() const { return subscriber().getNumPublishers(); }
 
   /// In words, what is missing after `patience` seconds without a message; empty if all is well.
   std::string silence(double patience) const;
@@ -50,6 +54,13 @@ class WatchedSubscriber {
   // The callbacks only store the message, so this queue never grows; it bridges a scheduling delay.
   static constexpr std::uint32_t kQueue = 8;
 
+  /// The same subscription. ROS is asked without the lock, for it may wait for a callback that wants it too.
+  ros::Subscriber subscriber() const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return subscriber_;
+  }
+
+  mutable std::mutex mutex_;  ///< guards the next
   ros::Subscriber subscriber_;
   std::once_flag named_;
   std::string topic_;
