@@ -4,8 +4,6 @@
 #include <cabinet_articulation/SceneTruth.h>
 #include <gtest/gtest.h>
 #include <nodelet/NodeletList.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
 #include <ros/master.h>
 #include <sensor_msgs/Image.h>
 
@@ -13,36 +11,17 @@
 #include <iterator>
 #include <set>
 
+#include "support/pipeline_nodelets.h"
 #include "support/ros_probe.h"
 
 namespace cabinet_articulation {
 namespace {
 
+using test::kNodelets;
+using test::loadNodelet;
 using test::Recorder;
 using test::spinUntil;
-
-const std::vector<std::string> kNodelets = {"/stereo/camera",      "/cabinet/stereo",   "/cabinet/planes",
-                                            "/cabinet/rectangles", "/cabinet/tracking", "/cabinet/articulation",
-                                            "/cabinet/overlay"};
-
-bool load(const std::string& name) {
-  nodelet::NodeletLoad load;
-  load.request.name = name;
-  load.request.type = "cabinet_articulation/" + (name == "/stereo/camera" ? "simulated_stereo_camera" : name.substr(9));
-  for (const std::string side : {"left", "right"}) {
-    load.request.remap_source_args.push_back("/cabinet/" + side + "/image_rect");
-    load.request.remap_target_args.push_back("/stereo/" + side + "/image_raw");
-    load.request.remap_source_args.push_back("/cabinet/" + side + "/camera_info");
-    load.request.remap_target_args.push_back("/stereo/" + side + "/camera_info");
-  }
-  return ros::service::call("/manager/load_nodelet", load);
-}
-
-bool unload(const std::string& name) {
-  nodelet::NodeletUnload unload;
-  unload.request.name = name;
-  return ros::service::call("/manager/unload_nodelet", unload);
-}
+using test::unloadNodelet;
 
 /// What the manager has at the master: "publishes /topic", "subscribes /topic", "offers /service".
 std::set<std::string> registered() {
@@ -80,15 +59,15 @@ TEST(Reload, EveryNodeletComesAndGoesWithoutATrace) {
     overlays.messages.clear();
     return spinUntil([&] { return models.messages.size() > 2 && overlays.messages.size() > 2; });
   };
-  for (const std::string& name : kNodelets) ASSERT_TRUE(load(name)) << name;
+  for (const std::string& name : kNodelets) ASSERT_TRUE(loadNodelet(name)) << name;
   ASSERT_TRUE(works());
   const std::set<std::string> full = registered();
 
   for (const std::string& name : kNodelets) {
-    ASSERT_TRUE(unload(name)) << name;
+    ASSERT_TRUE(unloadNodelet(name)) << name;
     for (const std::string& left : registered())
       EXPECT_EQ(left.find(' ' + name + '/'), std::string::npos) << left << " after " << name << " was unloaded";
-    ASSERT_TRUE(load(name)) << name;
+    ASSERT_TRUE(loadNodelet(name)) << name;
     EXPECT_TRUE(works()) << "after " << name << " was loaded again";
     EXPECT_TRUE(spinUntil([&] { return registered() == full; })) << name << "\nmissing:\n"
                                                                  << list(without(full, registered())) << "too many:\n"
@@ -96,7 +75,7 @@ TEST(Reload, EveryNodeletComesAndGoesWithoutATrace) {
   }
 
   // In the order of the pipeline: each is unloaded while the next one still listens.
-  for (const std::string& name : kNodelets) ASSERT_TRUE(unload(name)) << name;
+  for (const std::string& name : kNodelets) ASSERT_TRUE(unloadNodelet(name)) << name;
   EXPECT_TRUE(spinUntil([&] { return registered() == empty; })) << list(without(registered(), empty));
   nodelet::NodeletList loaded;
   ASSERT_TRUE(ros::service::call("/manager/list", loaded)) << "the manager lives on";
