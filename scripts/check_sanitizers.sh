@@ -1,0 +1,145 @@
+#!/usr/bin/env bash
+# check_sanitizers.sh [address|thread]: installs what is missing, builds the package anew with gcc's sanitizers in
+# build_<sanitizer>/, and runs its tests and tools; without an argument, one sanitizer after the other.
+#
+# address: AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer on all tests (some replay bags) and on the tools.
+# thread: ThreadSanitizer on all tests, most of them with the nodelets in one manager; see not_run_thread for what is left out.
+#
+# What any process reports counts, also that of a nodelet whose test passed. The last line says how many reports there were, how
+# many tests failed and how many suppressions are in force; the exit status says the same.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(dirname "$here")
+settings=$root/test/sanitizers
+
+case "$*" in
+  "") sanitizers=(address thread) ;;
+  address | thread) sanitizers=("$1") ;;
+  *)
+    echo "unknown arguments '$*'; usage: check_sanitizers.sh [address|thread]" >&2
+    exit 2
+    ;;
+esac
+
+# Tests that compare times, while a program with a sanitizer is 2 to 20 times slower: names as in make's targets.
+not_run_address=(track_cost_test)
+not_run_thread=(track_cost_test)
+
+# Assertions are on: CMake's build type None adds no NDEBUG. Inline functions stay within each library: otherwise the copies
+# in ROS's libraries, which are not instrumented, would serve for ours.
+flags="-O1 -g1 -fno-omit-frame-pointer -fvisibility-inlines-hidden"
+flags_address="$flags -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
+flags_thread="$flags -fsanitize=thread -include $settings/thread.h"
+suppressions_address=$settings/leak.supp
+suppressions_thread=$settings/thread.supp
+
+build_with() {
+  local flags=flags_$1 runtime= include=() library=()
+  if [ -d /opt/ros/noetic ]; then include=(-I/opt/ros/noetic/include) library=(-L/opt/ros/noetic/lib); fi
+  local compile=(g++ -std=c++17 ${!flags} "${include[@]}")
+  mkdir -p "$build/devel/lib/python3/dist-packages" "$build/devel/lib/nodelet"
+  if [ "$1" = thread ]; then
+    runtime=$build/libthread_runtime.so
+    "${compile[@]}" -fno-visibility-inlines-hidden -fPIC -shared "$settings/thread_runtime.cpp" -lopencv_core -o "$runtime" ||
+      return 1
+  fi
+  # The linker puts the runtime before all other libraries of a program.
+  if ! cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="${!flags}" -DCMAKE_EXE_LINKER_FLAGS="$runtime" \
+    -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 >"$build/cmake.log" 2>&1; then
+    cat "$build/cmake.log"
+    return 1
+  fi
+  make -C "$build" -j"$(nproc)" --no-print-directory all tests || return 1
+  # roslaunch finds this program `nodelet` first. Reports name our functions only if the library is there from the start.
+  "${compile[@]}" -DROS_NODELET="\"$ros_nodelet\"" "$settings/nodelet_manager.cpp" $runtime -o "$build/devel/lib/nodelet/nodelet" \
+    "${library[@]}" -lnodeletlib -lroscpp -lrosconsole -lrostime -L"$build/devel/lib" -Wl,-rpath,"$build/devel/lib" \
+    -Wl,--no-as-needed -lcabinet_articulation_nodelets
+}
+
+# The tools as a user runs them, on small inputs. The tests run some of them too, and export_urdf.
+run_tools() {
+  local tools=$build/devel/lib/cabinet_articulation input
+  rm -rf "$build/tools"
+  mkdir "$build/tools"
+  cd "$build/tools"
+  for input in stereo disparity depth; do
+    "$tools/simulated_bag" drawer $input.bag --input $input --first 30 --frames 20 || return 1
+    "$tools/process_bag" $input.bag $input.out.bag --input $input || return 1
+  done
+  # A door of 0.4 m that turns about z, and a depth image of 640 x 480 px, 1.5 m everywhere but for a front 1 m away.
+  awk 'BEGIN { for (i = 0; i < 50; ++i) { q = 0.02 * i; print 0.4 * cos(q), 0.4 * sin(q), 1, 0, 0, sin(q / 2), cos(q / 2) } }' \
+    >door.log
+  awk 'BEGIN { print "P2 640 480 65535"
+    for (v = 0; v < 480; ++v) for (u = 0; u < 640; ++u) print (u >= 200 && u < 400 && v >= 180 && v < 280 ? 1000 : 1500) }' \
+    >depth.pgm
+  "$tools/fit_track" door.log && "$tools/detect_image" depth.pgm overlay.png --fx 500
+}
+
+# The names of make's targets that run one test each: targets gtest|rostest SANITIZER
+targets() {
+  local -n not_run=not_run_$2
+  local target name
+  make -C "$build" help | grep -o "_run_tests_[a-z_]*_$1_.*" | while read -r target; do
+    name=${target##*_"$1"_}
+    [[ " ${not_run[*]} " == *" ${name#test_nodelets_} "* ]] || echo "$target"
+  done
+}
+
+# Everything that was built; all processes put their reports into files. Its status tells nothing of tests that failed.
+run_all() (
+  set +eu
+  . "$build/devel/setup.sh"
+  export ASAN_OPTIONS="log_path=$reports/$1" UBSAN_OPTIONS="log_path=$reports/$1:print_stacktrace=1"
+  export LSAN_OPTIONS="suppressions=$suppressions_address:print_suppressions=0"
+  export TSAN_OPTIONS="log_path=$reports/$1:suppressions=$suppressions_thread:print_suppressions=0:history_size=7"
+  status=0
+  make -C "$build" --no-print-directory -k -j"$(nproc)" $(targets gtest "$1") || status=1
+  # One after the other: each has a master and a manager of its own, and they wait for each other.
+  make -C "$build" --no-print-directory -k $(targets rostest "$1") || status=1
+  if [ "$1" = address ]; then run_tools || status=1; fi
+  exit $status
+)
+
+# Every report ends with a summary; what has none is the last word of a process that died.
+count_reports() {
+  local file count=0
+  for file in "$reports"/*; do
+    [ -s "$file" ] || continue
+    grep '^SUMMARY' "$file" >>"$build/reports.txt" || { head -n 5 "$file" && echo "$file" >>"$build/reports.txt"; }
+  done
+  sort "$build/reports.txt" | uniq -c >&2
+  wc -l <"$build/reports.txt"
+}
+
+# Prints what went wrong, and adds to the verdict. False if anything did.
+check() {
+  local build=$root/build_$1 reports=$root/build_$1/reports status=0 tests count
+  local -n not_run=not_run_$1 supp=suppressions_$1
+  if ! build_with "$1"; then
+    verdict+=("$1: the build failed")
+    return 1
+  fi
+  rm -rf "$reports" "$build/reports.txt" "$build/test_results"
+  mkdir "$reports"
+  touch "$build/reports.txt"
+  run_all "$1" || status=$?
+  tests=$(/usr/bin/python3 "$here/summarize_tests.py" "$build/test_results" "$status") || status=1
+  echo "$tests"
+  count=$(count_reports)
+  echo "not run with $1: ${not_run[*]:-none}"
+  verdict+=("$1: $count reports, tests ${tests##*$'\n'}, $(grep -c '^[a-z]' "$supp") suppressions")
+  [ "$count" -eq 0 ] && [ "$status" -eq 0 ]
+}
+
+export PATH=/usr/bin:$PATH
+"$here/install_dependencies.sh"
+set +u
+if [ -f /opt/ros/noetic/setup.sh ]; then . /opt/ros/noetic/setup.sh; fi
+set -u
+ros_nodelet=$(catkin_find --first-only --libexec nodelet nodelet)
+verdict=()
+result=clean
+for sanitizer in "${sanitizers[@]}"; do check "$sanitizer" || result="not clean"; done
+printf -v text '; %s' "${verdict[@]}"
+echo "$result: ${text:2}"
+[ "$result" = clean ]
