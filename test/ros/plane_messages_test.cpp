@@ -35,10 +35,12 @@ TEST(PlaneMessages, AMaskComesBackWhenTheLastHolderLetsGo) {
 TEST(PlaneMessages, AFrameWithFewRegionsKeepsTheMemoryForOneWithMany) {
   PlaneMessages messages;
   std::set<const void*> memory;
-  for (const Plane& plane : messages.make(exampleRegions(3), exampleHeader())->planes) memory.insert(plane.mask.data.data());
+  PlaneArrayPtr message = messages.make(exampleRegions(3), exampleHeader());
+  for (const Plane& plane : message->planes) memory.insert(plane.mask.data.data());
+  message.reset();
   messages.make(exampleRegions(1), exampleHeader());
-  for (const Plane& plane : messages.make(exampleRegions(3), exampleHeader())->planes)
-    EXPECT_EQ(memory.count(plane.mask.data.data()), 1U);
+  message = messages.make(exampleRegions(3), exampleHeader());
+  for (const Plane& plane : message->planes) EXPECT_EQ(memory.count(plane.mask.data.data()), 1U);
 }
 
 TEST(PlaneMessages, AMessageMayOutliveItsMaker) {
