@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <opencv2/core/hal/intrin.hpp>
 
 #include "cabinet_articulation/rectangles/image_spans.h"
@@ -17,7 +18,13 @@ constexpr float kNoiseVariance = 4;            ///< [grey levels^2] keeps noise 
 constexpr int kReach = EdgeProfile::kOnPlane;  ///< [px] largest disparity offset
 constexpr double kEnoughPixels = 128;          ///< of a strip
 
-cv::v_float32x4 load(const std::uint8_t* pixels) { return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand_q(pixels))); }
+/// As by OpenCV's v_load_expand_q, which reads an int wherever the pixels are, also where none may be.
+cv::v_float32x4 load(const std::uint8_t* pixels) {
+  std::uint32_t four;
+  std::memcpy(&four, pixels, sizeof(four));
+  const cv::v_uint8x16 bytes = cv::v_reinterpret_as_u8(cv::v_setall_u32(four));
+  return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_expand_low(cv::v_expand_low(bytes))));
+}
 
 void accumulate(float* sum, const cv::v_float32x4& value) { cv::v_store(sum, cv::v_load(sum) + value); }
 
