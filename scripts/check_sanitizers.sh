@@ -134,6 +134,8 @@ count_reports() {
     [ -s "$file" ] || continue
     grep '^SUMMARY' "$file" >>"$build/reports.txt" || { head -n 5 "$file" && echo "$file" >>"$build/reports.txt"; }
   done
+  # gcc's UndefinedBehaviorSanitizer writes to the terminal, whatever log_path says.
+  grep -h 'runtime error: ' "$build/run.log" >>"$build/reports.txt" || true
   sort "$build/reports.txt" | uniq -c >&2
   wc -l <"$build/reports.txt"
 }
@@ -149,7 +151,7 @@ check() {
   rm -rf "$reports" "$build/reports.txt" "$build/test_results"
   mkdir "$reports"
   touch "$build/reports.txt"
-  run_all "$1" || status=$?
+  run_all "$1" 2>&1 | tee "$build/run.log" || status=$?
   tests=$(/usr/bin/python3 "$here/summarize_tests.py" "$build/test_results" "$status") || status=1
   echo "$tests"
   count=$(count_reports)
