@@ -129,10 +129,10 @@ run_all() (
 
 # Every report ends with a summary; what has none is the last word of a process that died.
 count_reports() {
-  local file count=0
+  local file
   for file in "$reports"/*; do
     [ -s "$file" ] || continue
-    grep '^SUMMARY' "$file" >>"$build/reports.txt" || { head -n 5 "$file" && echo "$file" >>"$build/reports.txt"; }
+    grep '^SUMMARY' "$file" >>"$build/reports.txt" || { head -n 5 "$file" >&2 && echo "$file" >>"$build/reports.txt"; }
   done
   # gcc's UndefinedBehaviorSanitizer writes to the terminal, whatever log_path says.
   grep -h 'runtime error: ' "$build/run.log" >>"$build/reports.txt" || true
