@@ -174,11 +174,11 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
     depth_.publish(cv_bridge::CvImage(header, "32FC1", rendered.depth).toImageMsg());
   }
 
+  CallbackThreads callbacks_;  ///< outlives all that has callbacks, publishers too
   core::SimulationConfig config_;
   SimulatedCameraSettings settings_;
   std::unique_ptr<core::SimulatedStereoCamera> camera_;
   ros::Publisher left_, right_, depth_, left_info_, right_info_, depth_info_, truth_, clock_;
-  CallbackThreads callbacks_;
   ros::Subscriber results_;
   std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
 

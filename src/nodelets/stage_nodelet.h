@@ -141,7 +141,7 @@ class StageNodelet : public nodelet::Nodelet {
   void initialize();
   LatestWorker::Job guarded(LatestWorker::Job job) const;
 
-  CallbackThreads callbacks_;  ///< outlives all that has callbacks
+  CallbackThreads callbacks_;  ///< outlives all that has callbacks, publishers too
   const std::string stage_;
   StageSettings settings_;
   StageHealth health_;
