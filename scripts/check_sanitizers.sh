@@ -116,9 +116,9 @@ run_tests() {
 run_all() (
   set +eu
   . "$build/devel/setup.sh"
-  export ASAN_OPTIONS="log_path=$reports/$1" UBSAN_OPTIONS="log_path=$reports/$1:print_stacktrace=1"
+  export ASAN_OPTIONS="log_path=$reports/$1:handle_abort=1" UBSAN_OPTIONS="log_path=$reports/$1:print_stacktrace=1"
   export LSAN_OPTIONS="suppressions=$suppressions_address:print_suppressions=0"
-  export TSAN_OPTIONS="log_path=$reports/$1:suppressions=$suppressions_thread:print_suppressions=0:history_size=7"
+  export TSAN_OPTIONS="log_path=$reports/$1:suppressions=$suppressions_thread:print_suppressions=0:history_size=7:handle_abort=1"
   status=0
   run_tests + "${unjudged[@]}" || status=1
   rm -rf "$build/test_results"
@@ -135,7 +135,8 @@ count_reports() {
     grep '^SUMMARY' "$file" >>"$build/reports.txt" || { head -n 5 "$file" >&2 && echo "$file" >>"$build/reports.txt"; }
   done
   # gcc's UndefinedBehaviorSanitizer writes to the terminal, whatever log_path says.
-  grep -h 'runtime error: ' "$build/run.log" >>"$build/reports.txt" || true
+  # And roslaunch says of which process it was a surprise that it ended, whose verdict may not count.
+  grep -hE 'runtime error: |has died' "$build/run.log" >>"$build/reports.txt" || true
   sort "$build/reports.txt" | uniq -c >&2
   wc -l <"$build/reports.txt"
 }

@@ -13,6 +13,10 @@ if ! [[ ${1:-} =~ ^[0-9]*\.?[0-9]+$ ]]; then
   exit 2
 fi
 seconds=$(awk "BEGIN { print int($1 * 60 + 0.5) }")
+if [ "$seconds" -lt 1 ]; then
+  echo "expected at least a second, not '$1' minutes" >&2
+  exit 2
+fi
 shift
 
 export PATH=/usr/bin:$PATH
@@ -38,11 +42,16 @@ fi
 mkdir -p "$build/devel/lib/python3/dist-packages" "$build/findings" "$build/corpus"
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
   "${fuzzer[@]}" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log"; exit 1; }
+rm -f "$build"/devel/lib/cabinet_articulation/*_fuzz  # of targets that have another name now
 make -C "$build" -j"$(nproc)" --no-print-directory fuzzers >"$build/make.log" 2>&1 || { tail -n 50 "$build/make.log"; exit 1; }
 
 programs=$build/devel/lib/cabinet_articulation
 if [ $# -eq 0 ]; then
   set -- $(cd "$programs" && ls -d *_fuzz | sed 's/_fuzz$//')
+fi
+if [ $# -eq 0 ]; then
+  echo "no fuzz targets were built in $programs" >&2
+  exit 1
 fi
 export build root seconds programs
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
@@ -51,7 +60,7 @@ export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 fuzz_one() {
   local target=$1 findings=$build/findings/$1 corpus=$root/test/fuzz/corpus/$1 grown=$build/corpus/$1
   local log=$findings/log.txt status=0 start=$SECONDS runs
-  rm -rf "$findings"
+  rm -f "$findings/log.txt"
   mkdir -p "$findings" "$grown"
   cd "$findings"
   if $libfuzzer; then

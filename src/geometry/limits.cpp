@@ -13,6 +13,7 @@ constexpr int kCovarianceElements = 36;
 template <class Value>
 [[noreturn]] void refuse(const char* element, const Value& value, const Limit& limit, const char* otherwise = "") {
   std::ostringstream text;
+  text.precision(9);  // tells a value beyond from the limit
   text << element << " is " << value << ", expected " << limit.min << " to " << limit.max << " " << limit.unit << otherwise;
   throw std::invalid_argument(text.str());
 }
@@ -38,8 +39,8 @@ void requireWithin(const char* element, const Eigen::Vector3d& position, const L
   }
 }
 
-void requireCovariance(const char* element, const double* covariance) {
-  for (int i = 0; i < kCovarianceElements; ++i) requireWithin(element, covariance[i], limits::kVariance);
+void requireCovariance(const char* element, const double* covariance, const Limit& limit) {
+  for (int i = 0; i < kCovarianceElements; ++i) requireWithin(element, covariance[i], limit);
 }
 
 void requireAtMost(const char* entries, std::size_t count, std::size_t most) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// [bytes] A front takes some 50 kB, 90 kB at most, and some 1000 fronts are remembered: none of our own files is larger.
+/// [bytes] Ours: a front takes some 50 kB, 90 kB at most, so that nearly 3000 fit.
 constexpr std::size_t kLargestFile = 256U << 20U;
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {

@@ -172,8 +172,7 @@ TrackedObservation observationFromYaml(const YAML::Node& node) {
     requireWithin("an observation's share of an edge", n[10 + i], limits::kShare);
     observation.edge_support[i] = static_cast<float>(n[10 + i]);
   }
-  for (std::size_t i = 10 + kEdges; i < kObservation; ++i)
-    requireWithin("an observation's covariance", n[i], limits::kJointVariance);
+  for (std::size_t i = 10 + kEdges; i < kObservation; ++i) requireWithin("an observation's covariance", n[i], limits::kVariance);
   observation.covariance = covariance(&n[10 + kEdges]);
   observation.measured = observation.rectangle;
   observation.measured_covariance = observation.covariance;
@@ -225,11 +224,13 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   model.support = node["support"] ? count(node["support"], "support", kLargestId) : kObservationsOfOlderFiles;
   if (node["doubt"]) model.doubt = within(node["doubt"], "doubt", limits::kShare);
   model.probabilities = numbers(node["probabilities"], "probabilities", modelRegistry().size());
+  for (const double probability : model.probabilities) requireWithin("probabilities", probability, limits::kProbability);
   model.origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");
   model.axis = unitVector(node["axis"], "axis");
   const Numbers point = numbers(node["axis_point"], "axis_point", 3);
   model.axis_point = Eigen::Vector3d(point[0], point[1], point[2]);
   requireWithin("axis_point", model.axis_point, limits::kFromOrigin);
+  requireAtMost("poses in 'curve'", node["curve"].size(), limits::kMostEntries);
   for (const YAML::Node& entry : node["curve"]) model.curve.push_back(pose(numbers(entry, "curve", kPose).data(), "curve"));
   model.radius = within(node["radius"], "radius", limits::kRadius);
   model.q = within(node["q"], "q", limits::kConfiguration);
@@ -248,7 +249,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   for (const auto& entry : node["params"]) {
     if (isField(entry.first.Scalar())) continue;
     const Numbers param = numbers(entry.second, "params", 2);
-    requireWithin("a param's kind", param[1], {ModelParam::kPrior, ModelParam::kEval, "(a kind)"});
+    requireWithin("a param's kind", param[1], {ModelParam::kPrior, ModelParam::kEval, "(Param.msg names them)"});
     model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
   }
   front.track.id = model.id;

@@ -115,7 +115,7 @@ class ArticulationStage : public StageNodelet {
     try {
       updates = fromMessage(tracks);
     } catch (const std::invalid_argument& error) {
-      trouble("input", error.what());
+      trouble("input", tracks_topic_.topic() + ": " + error.what());
       return false;
     }
     const GenerationWatch::Verdict verdict = store_->judge(tracks);

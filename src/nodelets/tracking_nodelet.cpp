@@ -108,16 +108,11 @@ class TrackingStage : public StageNodelet {
       known.swap(new_known_);
     }
     if (!known) return;
-    std::vector<core::Track> fronts;
-    try {
-      fronts = fromMessage(*known);
-    } catch (const std::invalid_argument& error) {
-      trouble("known fronts", known_fronts_.topic() + ": " + error.what() + "; what was known before is kept");
-      return;
-    }
+    std::string left_out;
+    known_ = usableTracks(*known, &left_out);
+    if (!left_out.empty()) trouble("known fronts", known_fronts_.topic() + ": " + left_out + "; it is left out");
     const bool anew = known->generation != generation_;
     generation_ = known->generation;
-    known_ = std::move(fronts);
     known_frame_ = known->header.frame_id;
     tracker_->useIdsFrom(known->next_id);
     for (const std::uint32_t id : known->forgotten) tracker_->forget(id);

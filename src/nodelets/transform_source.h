@@ -43,7 +43,7 @@ class TransformSource {
   std::once_flag listening_;
   tf2::BufferCore buffer_;
   ros::Time last_heard_;
-  CallbackThreads thread_;  ///< a stage waits for transforms in the thread that would otherwise hear them
+  CallbackThreads thread_;  ///< of its own: the stage's may wait for a frame that waits for transforms
   ros::Subscriber moving_, static_;
 };
 

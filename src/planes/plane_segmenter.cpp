@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/planes/duplicate_merger.h"
 #include "cabinet_articulation/planes/fold_search.h"
 #include "cabinet_articulation/planes/hole_filling.h"
@@ -65,6 +66,13 @@ void requireSameSizes(const DepthFrame& frame) {
                                 " and the right image " + sizeOf(frame.right) + ", expected one size, or no images at all");
 }
 
+/// False for planes that no message holds: no front is that far, nor seen that much from its side.
+bool isNear(const Plane& plane, const DisparityPlane& image) {
+  if (!isWithin(plane.offset, limits::kPlaneOffset)) return false;
+  const double numbers[] = {image.a, image.b, image.c};
+  return std::all_of(std::begin(numbers), std::end(numbers), [](double x) { return isWithin(x, limits::kDisparityPlane); });
+}
+
 }  // namespace
 
 struct PlaneSegmenter::Buffers {
@@ -119,7 +127,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   const DisparityTolerance tolerance(frame.camera, config_.mask_tolerance_px, config_.mask_tolerance_m, config_.tolerance_cap);
   for (const GrownRegion& grown : set.regions) {
     const auto plane = toPlane(grown.plane, frame.camera);
-    if (!plane) continue;
+    if (!plane || !isNear(*plane, grown.plane)) continue;
     cv::Mat1b mask = b.masks.take(disparity.size());
     labelByNoise(disparity, grown.plane, tolerance, limit, &mask);
     regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set), mask});
@@ -131,7 +139,7 @@ std::vector<PlaneRegion> PlaneSegmenter::wholePlanes(const DepthFrame& frame) co
   std::vector<PlaneRegion> regions;
   for (const Plane& plane : buffers_->metric_consensus.process(frame)) {
     const auto image = toDisparityPlane(plane, frame.camera);
-    if (!image) continue;
+    if (!image || !isNear(plane, *image)) continue;
     cv::Mat1b mask = buffers_->masks.take(frame.disparity.size());
     labelByDistance(frame, plane, config_.plane_distance, &mask);
     regions.push_back({plane, *image, cv::countNonZero(mask == kInPlane), hullOfInPlane(mask), mask});

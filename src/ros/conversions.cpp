@@ -17,7 +17,7 @@ namespace {
 void requireSane(const Rectangle& message) {
   core::requireWithin("width", message.width, core::limits::kSide);
   core::requireWithin("height", message.height, core::limits::kSide);
-  core::requireCovariance("covariance", message.pose.covariance.data());
+  core::requireCovariance("covariance", message.pose.covariance.data(), core::limits::kSensedVariance);
   core::requireWithin("precision", message.precision, core::limits::kQuality);
   core::requireWithin("recall", message.recall, core::limits::kQuality);
   for (const float support : message.edge_support) core::requireWithin("edge_support", support, core::limits::kShare);
@@ -36,12 +36,13 @@ void requireSane(const ArticulationModel& message) {
   core::requireWithin("length of axis", fromMessage(message.axis).norm(),
                       {0, core::limits::kUnitLength.max, core::limits::kUnitLength.unit});
   core::requireWithin("axis_point", fromMessage(message.axis_point), core::limits::kFromOrigin);
-  for (const double value : message.covariance) core::requireWithin("covariance", value, core::limits::kJointVariance);
+  core::requireCovariance("covariance", message.covariance.data(), core::limits::kJointVariance);
   core::requireWithin("position_error", message.position_error, core::limits::kError);
   core::requireWithin("orientation_error", message.orientation_error, core::limits::kError);
   core::requireWithin("observations", message.observations, {0, std::numeric_limits<int>::max(), "(a number)"});
   core::requireAtMost("probabilities", message.probabilities.size(), core::modelRegistry().size());
-  for (const double probability : message.probabilities) core::requireWithin("probabilities", probability, core::limits::kShare);
+  for (const double probability : message.probabilities)
+    core::requireWithin("probabilities", probability, core::limits::kProbability);
   core::requireAtMost("poses in curve", message.curve.size(), core::limits::kMostEntries);
   core::requireAtMost("params", message.params.size(), core::limits::kMostEntries);
 }
@@ -65,7 +66,7 @@ core::DetectedRectangle fromMessage(const Rectangle& message) {
   requireSane(message);
   core::DetectedRectangle rectangle;
   rectangle.rectangle = {fromMessage(message.pose.pose), message.width, message.height};
-  core::requireWithin("distance", rectangle.rectangle.center().norm(), core::limits::kFromCamera);
+  core::requireWithin("position", rectangle.rectangle.center(), core::limits::kSensed);
   rectangle.covariance = fromMessage(message.pose.covariance);
   rectangle.precision = message.precision;
   rectangle.recall = message.recall;

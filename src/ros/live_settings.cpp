@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/ros/live_settings.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace cabinet_articulation {
@@ -117,7 +118,11 @@ void LiveSettings::shutdown() { server_.shutdown(); }
 bool LiveSettings::set(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response) {
   std::lock_guard<std::mutex> lock(mutex_);
   guard_("set_parameters", [&] {
-    current_ = apply_(fromTuning(request.config));
+    try {
+      current_ = apply_(fromTuning(request.config));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(error.what() + std::string("; nothing is changed"));
+    }
     publish();
   });
   response.config = current_;

@@ -20,7 +20,7 @@ double rounded(double value) {
 void requireSane(const geometry_msgs::TransformStamped& message) {
   requireStamp("stamp", message.header.stamp);
   const geometry_msgs::Vector3& t = message.transform.translation;
-  core::requireWithin("translation", Eigen::Vector3d(t.x, t.y, t.z), core::limits::kFromOrigin);
+  core::requireWithin("translation", Eigen::Vector3d(t.x, t.y, t.z), core::limits::kSensed);
   const geometry_msgs::Quaternion& q = message.transform.rotation;
   core::requireWithin("length of rotation", Eigen::Vector4d(q.x, q.y, q.z, q.w).norm(), core::limits::kUnitLength);
 }

@@ -50,7 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     core::TrackUpdates updates;
     const Eigen::Isometry3d T_fixed_camera = fuzz::throughTf(*reader.next<geometry_msgs::TransformStamped>());
     const auto known = reader.next<KnownFrontArray>();
-    std::vector<core::Track> fronts = fromMessage(*known);
+    std::string left_out;
+    std::vector<core::Track> fronts = usableTracks(*known, &left_out);
     tracker.useIdsFrom(known->next_id);
     for (const std::uint32_t id : known->forgotten) tracker.forget(id);
     tracker.remember(std::move(fronts));

@@ -24,7 +24,8 @@ class HostileMessages : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(spinUntil([&] {
-      for (const ros::Publisher* input : {&left_, &right_, &left_info_, &right_info_, &disparity_, &planes_, &rectangles_, &tracks_, &models_})
+      for (const ros::Publisher* input :
+           {&left_, &right_, &left_info_, &right_info_, &disparity_, &planes_, &rectangles_, &tracks_, &models_})
         if (input->getNumSubscribers() == 0) return false;
       return timing_.connected();
     }));
@@ -49,7 +50,8 @@ class HostileMessages : public testing::Test {
     if (P0 > 0) left.P[0] = P0;
     left_info_.publish(left);
     right_info_.publish(test::cameraInfo(scene_.camera, true, header));
-    const auto grey = test::greyImage(scene_.camera.width, scene_.camera.height, header, [](int u, int v) { return (u * 7 + v * 13) % 251; });
+    const auto grey =
+        test::greyImage(scene_.camera.width, scene_.camera.height, header, [](int u, int v) { return (u * 7 + v * 13) % 251; });
     left_.publish(grey);
     right_.publish(grey);
   }
@@ -149,6 +151,7 @@ TEST_F(HostileMessages, HullsAndCamerasFarOutOfRangeAreRefusedInWords) {
     plane.hull[0].x = 3e38F;
     plane.hull[1].y = 100;
     planes_.publish(message);
+    publishPair(header);  // for which the disparity waits
     publishDisparity(header);
   }));
   for (const double focal_length : {1e38, 1e300, 1e-300, 1e-3, 1e10}) publishPair(now(), focal_length), test::spinFor(0.2);

@@ -145,7 +145,7 @@ TEST_F(PlanesNodelet, SaysThatADisparityIsAllInvalid) {
 TEST_F(PlanesNodelet, NamesABadDisparityImage) {
   stereo_msgs::DisparityImage message = scene_.disparityMessage(header());
   message.T = 0;
-  EXPECT_TRUE(diagnosed([&] { publish(message); }, "/disparity: T is 0, expected the baseline")) << reports_.status("planes");
+  EXPECT_TRUE(diagnosed([&] { publish(message); }, "/disparity: baseline T is 0, expected 0.001")) << reports_.status("planes");
   message = scene_.disparityMessage(header());
   message.image.width = message.image.height = message.image.step = 0;
   message.image.data.clear();

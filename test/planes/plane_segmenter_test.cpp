@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cabinet_articulation/geometry/degrees.h"
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "stereo/synthetic_pair.h"
 
@@ -138,6 +139,19 @@ TEST(PlaneSegmenter, PaperMethodLabelsWholePlanesByTheirDistance) {
   EXPECT_NEAR(wall->inliers, inliers, 50);
   // The drawer in the middle belongs to the hull of the whole plane.
   EXPECT_GE(cv::pointPolygonTest(wall->hull, cv::Point2f(450, 220), false), 0);
+}
+
+/// Messages do not hold such planes, so they would be refused with all others of their frame.
+TEST(PlaneSegmenter, SurfacesFartherThanAnyFrontAreNoRegions) {
+  DepthFrame frame = exactFrame();
+  const double too_far = 0.9 * frame.camera.focalBaseline() / limits::kPlaneOffset.max;
+  frame.disparity(cv::Rect(0, 0, 640, 200)) = static_cast<float>(too_far);
+  for (const char* method : {"local", "paper"}) {
+    PlanesConfig config;
+    config.method = method;
+    for (const PlaneRegion& region : PlaneSegmenter(config).process(frame))
+      EXPECT_LE(region.plane.offset, limits::kPlaneOffset.max) << method;
+  }
 }
 
 TEST(PlaneSegmenter, ImagesOfAnotherSizeAreNamed) {

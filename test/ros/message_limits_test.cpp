@@ -81,14 +81,19 @@ TEST(MessageLimits, OfRectangles) {
   };
   expect([](Rectangle& message, double value) { message.width = value; }, core::limits::kSide, "width");
   expect([](Rectangle& message, double value) { message.height = value; }, core::limits::kSide, "height");
-  expect([](Rectangle& message, double value) { message.pose.covariance[7] = value; }, core::limits::kVariance, "covariance");
+  expect([](Rectangle& message, double value) { message.pose.covariance[7] = value; }, core::limits::kSensedVariance,
+         "covariance");
   expect([](Rectangle& message, double value) { message.recall = value; }, core::limits::kQuality, "recall");
   for (const double none : {0.0, -0.4})
     EXPECT_NE(refusal<Rectangle>(goodRectangle(), [&](Rectangle& message) { message.width = none; }), "");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 1e38; }),
-            "position is (1e+38, 0, 1.5), expected -1e+07 to 1e+07 m");
-  EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 2000; }),
-            "distance is 2000, expected 0 to 100 m");
+            "position is (1e+38, 0, 1.5), expected -100000000 to 100000000 m");
+  EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 5e6; }), "")
+      << "in a map of UTM";
+  EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 2e7; }),
+            "position is (20000000, 0, 1.5), expected -10000000 to 10000000 m");
+  EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.height = 0.0005; }),
+            "height is 0.0005, expected 0.001 to 10 m");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.edge_support[2] = -1; }),
             "edge_support is -1, expected 0 to 1 (a share)");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.plane = 4294967295U; }).find("plane is "), 0u);

@@ -25,13 +25,15 @@ namespace limits {
 /// ros::Time ends at 4294967295 s (2106); tf and others that add to a stamp throw shortly before.
 constexpr std::uint32_t kLastSecond = 4290000000U;
 
-constexpr Limit kFromCamera{0, 100, "m"};              ///< a front's centre; depth cameras see 10 m, stereo less than 50 m
-constexpr Limit kFromOrigin{-1e7, 1e7, "m"};           ///< a coordinate: maps may count from far away, as UTM's northings do
-constexpr Limit kFromFront{-100, 100, "m"};            ///< coordinate of a grasp from the front's centre
-constexpr Limit kSide{0.001, 10, "m"};                 ///< of a front: what min_side and max_side of the rectangles stage may be
-constexpr Limit kRadius{0, 1e7, "m"};                  ///< of a hinge: paths that hardly bend have large ones
-constexpr Limit kVariance{-1e6, 1e6, "m^2 or rad^2"};  ///< element of a covariance: a sigma of 1 km knows nothing
-constexpr Limit kJointVariance{-1e12, 1e12, "m^2 or rad^2"};  ///< a path need not tell where along an axis its point is
+constexpr Limit kSensed{-1e7, 1e7, "m"};      ///< coordinate of a rectangle or transform: maps may count from far away, as UTM's
+constexpr Limit kFromOrigin{-1e8, 1e8, "m"};  ///< coordinate of all that follows from these
+constexpr Limit kFromFront{-100, 100, "m"};   ///< coordinate of a grasp from the front's centre
+constexpr Limit kSide{0.001, 10, "m"};        ///< of a front: what min_side and max_side of the rectangles stage may be
+constexpr Limit kRadius{0, 1e7, "m"};         ///< of a hinge: paths that hardly bend have large ones
+constexpr Limit kSensedVariance{-1e6, 1e6, "m^2 or rad^2"};    ///< of a rectangle: a sigma of 1 km knows nothing
+constexpr Limit kVariance{-1e9, 1e9, "m^2 or rad^2"};          ///< of an observation, in another frame and with the track's size
+constexpr Limit kJointVariance{-1e12, 1e12, "m^2 or rad^2"};   ///< a path need not tell where along an axis its point is
+constexpr Limit kProbability{0, 1 + 1e-9, "(a probability)"};  ///< sums of rounded ones may exceed 1
 constexpr Limit kShare{0, 1, "(a share)"};
 constexpr Limit kQuality{0, 1e9, "(a share)"};          ///< a rectangle may hold more of a plane than its region does
 constexpr Limit kConfiguration{-100, 100, "m or rad"};  ///< fronts go a few metres, or around a few times
@@ -67,7 +69,7 @@ void requireSideOrUnknown(const char* element, double value);
 void requireWithin(const char* element, const Eigen::Vector3d& position, const Limit& limit);
 
 /// All 36 elements of a covariance.
-void requireCovariance(const char* element, const double* covariance);
+void requireCovariance(const char* element, const double* covariance, const Limit& limit);
 
 /// A list of this many entries.
 void requireAtMost(const char* entries, std::size_t count, std::size_t most);

@@ -38,7 +38,9 @@ std::vector<core::TrackUpdate> fromMessage(const TrackArray& message);
 Track toMessage(const core::Track& track, const std::string& frame_id);
 TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header);
 core::Track wholeTrack(const Track& message);
-std::vector<core::Track> fromMessage(const KnownFrontArray& message);
+
+/// Those that can be used; `left_out` names one that cannot, and why.
+std::vector<core::Track> usableTracks(const KnownFrontArray& message, std::string* left_out);
 
 /// What a front is expected to do next, in the fixed frame of the header.
 ExpectedFrontArray toMessage(const core::ExpectedFronts& expected, const std_msgs::Header& header);
