@@ -13,7 +13,6 @@ constexpr int kCovarianceElements = 36;
 template <class Value>
 [[noreturn]] void refuse(const char* element, const Value& value, const Limit& limit, const char* otherwise = "") {
   std::ostringstream text;
-  text.precision(9);  // tells a value beyond from the limit
   text << element << " is " << value << ", expected " << limit.min << " to " << limit.max << " " << limit.unit << otherwise;
   throw std::invalid_argument(text.str());
 }

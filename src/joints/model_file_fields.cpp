@@ -230,7 +230,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   const Numbers point = numbers(node["axis_point"], "axis_point", 3);
   model.axis_point = Eigen::Vector3d(point[0], point[1], point[2]);
   requireWithin("axis_point", model.axis_point, limits::kFromOrigin);
-  requireAtMost("poses in 'curve'", node["curve"].size(), limits::kMostEntries);
+  if (node["curve"]) requireAtMost("poses in 'curve'", node["curve"].size(), limits::kMostEntries);
   for (const YAML::Node& entry : node["curve"]) model.curve.push_back(pose(numbers(entry, "curve", kPose).data(), "curve"));
   model.radius = within(node["radius"], "radius", limits::kRadius);
   model.q = within(node["q"], "q", limits::kConfiguration);

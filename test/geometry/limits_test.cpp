@@ -34,7 +34,7 @@ TEST(Limits, SidesMayBeUnknown) {
 TEST(Limits, EachCoordinateCounts) {
   EXPECT_NO_THROW(requireWithin("position", Eigen::Vector3d(5e6, -5e6, 0), limits::kFromOrigin));
   EXPECT_THAT([] { requireWithin("position", Eigen::Vector3d(0, 1e155, 1), limits::kFromOrigin); },
-              ThrowsMessage<std::invalid_argument>("position is (0, 1e+155, 1), expected -100000000 to 100000000 m"));
+              ThrowsMessage<std::invalid_argument>("position is (0, 1e+155, 1), expected -1e+08 to 1e+08 m"));
   EXPECT_THROW(requireWithin("position", Eigen::Vector3d(0, 0, kNan), limits::kFromOrigin), std::invalid_argument);
 }
 

@@ -144,7 +144,7 @@ TEST_F(Services, RefusalsSayWhy) {
   track.track = toMessage(tracks_[0], "map");
   track.track.poses[1].position.x = kNan;
   const auto bad_track = call<FitTrack>("fit_track", track);
-  refuses(", expected -100000000 to 100000000 m", bad_track.success, bad_track.message);
+  refuses(", expected -1e+08 to 1e+08 m", bad_track.success, bad_track.message);
 }
 
 TEST_F(Services, RefuseWhatWouldHoldUpTheOtherStages) {

@@ -116,7 +116,7 @@ TEST(PoseConversion, PublishesUnitQuaternionsOfSlightlyDriftedRotations) {
 TEST(PoseConversion, RefusesWhatIsNoPose) {
   geometry_msgs::Pose message = toMessage(examplePose());
   message.position.y = kNan;
-  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "position is (0.1, nan, 1.5), expected -100000000 to 100000000 m");
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "position is (0.1, nan, 1.5), expected -1e+08 to 1e+08 m");
   EXPECT_EQ(test::errorOf([] { fromMessage(geometry_msgs::Pose()); }), "orientation has length 0, expected a unit quaternion");
   message = toMessage(examplePose());
   message.orientation.w = kNan;

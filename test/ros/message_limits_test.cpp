@@ -87,11 +87,11 @@ TEST(MessageLimits, OfRectangles) {
   for (const double none : {0.0, -0.4})
     EXPECT_NE(refusal<Rectangle>(goodRectangle(), [&](Rectangle& message) { message.width = none; }), "");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 1e38; }),
-            "position is (1e+38, 0, 1.5), expected -100000000 to 100000000 m");
+            "position is (1e+38, 0, 1.5), expected -1e+08 to 1e+08 m");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 5e6; }), "")
       << "in a map of UTM";
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.pose.pose.position.x = 2e7; }),
-            "position is (20000000, 0, 1.5), expected -10000000 to 10000000 m");
+            "position is (2e+07, 0, 1.5), expected -1e+07 to 1e+07 m");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.height = 0.0005; }),
             "height is 0.0005, expected 0.001 to 10 m");
   EXPECT_EQ(refusal<Rectangle>(goodRectangle(), [](Rectangle& message) { message.edge_support[2] = -1; }),

@@ -64,7 +64,7 @@ TEST(PoseLog, RefusalsNameFileAndLine) {
   EXPECT_EQ(refusal("1 2 3 0 0 0 0\n"), "some.log:1: the quaternion qx qy qz qw has length 0.000000, expected 1");
   EXPECT_EQ(refusal("1 2 3 0 0 0 2\n"), "some.log:1: the quaternion qx qy qz qw has length 2.000000, expected 1");
   EXPECT_EQ(refusal("1 2 3 0 0 0 1 0 0.6\n"), "some.log:1: width and height must be positive");
-  EXPECT_EQ(refusal("1 2 3\n1 -1e154 3\n"), "some.log:2: position is (1, -1e+154, 3), expected -100000000 to 100000000 m");
+  EXPECT_EQ(refusal("1 2 3\n1 -1e154 3\n"), "some.log:2: position is (1, -1e+154, 3), expected -1e+08 to 1e+08 m");
   EXPECT_EQ(refusal("1 2 3 0 0 0 1 0.4 0.6\n1 2 3 0 0 0 1 1e18 0.6\n"),
             "some.log:2: width is 1e+18, expected 0.001 to 10 m, or 0: not known");
   EXPECT_EQ(refusal("1 2 3 0 0 0 1 0.4 1e-5\n"), "some.log:1: height is 1e-05, expected 0.001 to 10 m, or 0: not known");
