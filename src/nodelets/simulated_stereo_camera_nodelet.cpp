@@ -46,16 +46,15 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
   static constexpr std::chrono::seconds kPatience{5};  ///< until a frame is given up that no models come of
 
   void onInit() override {
-    try {
-      for (const std::string& warning : loadParameters(getPrivateNodeHandle(), config_, settings_))
-        NODELET_WARN("%s: %s", getName().c_str(), warning.c_str());
-      if (paced() && ros::Time::useSystemTime())
-        throw std::invalid_argument(getName() + ": pace 'results' needs simulated time, set /use_sim_time before the start");
-      camera_ = std::make_unique<core::SimulatedStereoCamera>(config_);
-    } catch (const std::exception& error) {
-      NODELET_FATAL("%s", error.what());
-      return;
-    }
+    guard_("start", [this] { start(); });
+  }
+
+  void start() {
+    for (const std::string& warning : loadParameters(getPrivateNodeHandle(), config_, settings_))
+      NODELET_WARN("%s: %s", getName().c_str(), warning.c_str());
+    if (paced() && ros::Time::useSystemTime())
+      throw std::invalid_argument("pace 'results' needs simulated time, set /use_sim_time before the start");
+    camera_ = std::make_unique<core::SimulatedStereoCamera>(config_);
     ros::NodeHandle& nh = getNodeHandle();
     nh.setCallbackQueue(callbacks_.queue());
     left_ = nh.advertise<sensor_msgs::Image>("left/image_raw", kQueue);
@@ -65,12 +64,10 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
     right_info_ = nh.advertise<sensor_msgs::CameraInfo>("right/camera_info", kQueue);
     depth_info_ = nh.advertise<sensor_msgs::CameraInfo>("depth/camera_info", kQueue);
     truth_ = nh.advertise<SceneTruth>("truth", kQueue);
-    const CallbackGuard guard(
-        [this](const std::string&, const std::string& what) { NODELET_FATAL("%s: %s", getName().c_str(), what.c_str()); });
     if (paced()) {
       clock_ = nh.advertise<rosgraph_msgs::Clock>("/clock", kQueue);
-      results_ = nh.subscribe<ArticulationModelArray>("models", kQueue, [this, guard](const auto& models) {
-        guard("models", [&] {
+      results_ = nh.subscribe<ArticulationModelArray>("models", kQueue, [this](const auto& models) {
+        guard_("models", [&] {
           std::lock_guard<std::mutex> lock(mutex_);
           newest_result_ = models->header.stamp;
           wake_.notify_all();
@@ -79,7 +76,7 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
     }
     if (!settings_.world_frame.empty()) broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
     callbacks_.start(1);
-    thread_ = std::thread([this, guard] { guard("camera", [this] { run(); }); });
+    thread_ = std::thread([this] { guard_("camera", [this] { run(); }); });
   }
 
   bool paced() const { return settings_.pace == "results"; }
@@ -174,6 +171,8 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
     depth_.publish(cv_bridge::CvImage(header, "32FC1", rendered.depth).toImageMsg());
   }
 
+  const CallbackGuard guard_{
+      [this](const std::string&, const std::string& what) { NODELET_FATAL("%s: %s", getName().c_str(), what.c_str()); }};
   CallbackThreads callbacks_;  ///< outlives all that has callbacks, publishers too
   core::SimulationConfig config_;
   SimulatedCameraSettings settings_;

@@ -22,7 +22,7 @@ constexpr double kEnoughPixels = 128;          ///< of a strip
 cv::v_float32x4 load(const std::uint8_t* pixels) {
   std::uint32_t four;
   std::memcpy(&four, pixels, sizeof(four));
-  const cv::v_uint8x16 bytes = cv::v_reinterpret_as_u8(cv::v_setall_u32(four));
+  const cv::v_uint8x16 bytes = cv::v_reinterpret_as_u8(cv::v_uint32x4(four, 0, 0, 0));
   return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_expand_low(cv::v_expand_low(bytes))));
 }
 

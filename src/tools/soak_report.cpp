@@ -19,6 +19,7 @@
 
 #include "cabinet_articulation/joints/model_file.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/ros/pose_conversions.h"
 #include "cabinet_articulation/ros/simulation_conversions.h"
 #include "run_program.h"
 #include "soak_record.h"
@@ -108,7 +109,7 @@ class SoakReport {
   }
 
   void onTiming(const Timing::ConstPtr& timing) {
-    if (frames_ > 0) record_.addStage((timing->header.stamp - first_stamp_).toSec(), timing->stage, timing->milliseconds);
+    if (frames_ > 0) record_.addStage(secondsBetween(first_stamp_, timing->header.stamp), timing->stage, timing->milliseconds);
   }
 
   void finish(const ros::Time& stamp) {
@@ -119,11 +120,11 @@ class SoakReport {
     }
     for (auto it = frames_in_work_.begin(); it->first < stamp; it = frames_in_work_.erase(it))
       if (frames_ > 0 && it->second.truth)
-        record_.addLostFrame((it->first - first_stamp_).toSec(), inFrame(*it->second.truth, frame_id_));
+        record_.addLostFrame(secondsBetween(first_stamp_, it->first), inFrame(*it->second.truth, frame_id_));
     const Frame frame = frames_in_work_.extract(stamp).mapped();
     frame_id_ = frame.models->header.frame_id;
     heard_ = ros::WallTime::now();
-    const double time = (stamp - first_stamp_).toSec();
+    const double time = secondsBetween(first_stamp_, stamp);
     record_.addFrame(time, frame.answered.toSec(), inFrame(*frame.truth, frame_id_), fromMessage(*frame.models));
     record_.addLatency(time, 1e3 * (frame.answered - frame.shown).toSec());
     if (static_cast<int>(time) > static_cast<int>(time_) || frames_ == 0) record_.addMemory(time, residentMegabytes(process_));
