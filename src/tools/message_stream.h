@@ -4,6 +4,7 @@
 #include <ros/serialization.h>
 #include <rosbag/message_instance.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cstdint>
 #include <stdexcept>
@@ -37,10 +38,11 @@ void deserialize(MessageStream& stream, std::vector<Element, Allocator>& list) {
 template <class Message>
 boost::shared_ptr<Message> readMessage(const rosbag::MessageInstance& instance) {
   if (!instance.isType<Message>()) return {};
-  std::vector<std::uint8_t> bytes(instance.size());
-  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  // Not without a byte, for ROS counts on from where they begin.
+  std::vector<std::uint8_t> bytes(std::max<std::size_t>(instance.size(), 1));
+  ros::serialization::OStream out(bytes.data(), instance.size());
   instance.write(out);
-  MessageStream in(bytes.data(), bytes.size());
+  MessageStream in(bytes.data(), instance.size());
   const auto message = boost::make_shared<Message>();
   try {
     in.next(*message);
