@@ -16,7 +16,7 @@ static_assert(kLeastPoses > MotionCriterion::kFew, "the evidence of joints that 
 
 constexpr int kCurvePoses = 33;
 
-constexpr double kShortestWay = 1e-6;  ///< [m] fits begin at thousands of it
+constexpr double kShortestWay = 1e-6;  ///< [m] ours: fits begin at thousands of it
 
 /// For learned models: what a front's place says about q against its turn, as for a rotational joint.
 constexpr double kMetresPerRadian = 0.03;

@@ -16,7 +16,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kObservedEdge = 0.5;  ///< edge support from which a side counts as seen
-constexpr double kFarthest = 1e6;      ///< [m] beyond, a pixel sees the plane at its horizon
+constexpr double kFarthest = 1e6;      ///< [m] ours: beyond, a pixel sees the plane at its horizon
 constexpr double kRandomSide = 0.2;    ///< [m] of a random start (original release)
 
 std::optional<PlaneRectangle> outlineStart(const PlaneRegion& region, const PlaneChart& chart) {

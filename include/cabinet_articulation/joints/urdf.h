@@ -17,8 +17,8 @@ namespace cabinet_articulation::core {
  * seen. The front is the model's pose, and carries a wooden panel of the front's size that lies behind it.
  */
 
-/// Throws ModelError for what is no joint or has no counterpart in URDF, for an id that is there twice, and for names that XML
-/// cannot hold (control characters, no UTF-8) or that are empty. `frame` is the frame of the models, and becomes the
+/// Throws ModelError for what is no joint or has no counterpart in URDF, and for an id that is there twice. So it does for names
+/// that are empty or that XML cannot hold (control characters, no UTF-8). `frame` is the frame of the models, and becomes the
 /// root link; `prefix` is the first part of all other names.
 std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& frame, const std::string& prefix);
 
