@@ -8,9 +8,6 @@
 # What any process reports counts, also that of a nodelet whose test passed. The last line says how many reports there were, how
 # many tests failed and how many suppressions are in force; the exit status says the same.
 set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(dirname "$here")
-settings=$root/test/sanitizers
 
 case "$*" in
   "") sanitizers=(address thread) ;;
@@ -20,6 +17,9 @@ case "$*" in
     exit 2
     ;;
 esac
+
+. "$(dirname "${BASH_SOURCE[0]}")/ros_environment.sh"
+settings=$root/test/sanitizers
 
 # By their names in make's targets. With a sanitizer, a program is 2 to 20 times slower. So tests that must be through in a given
 # time are run for what they report, and their own verdict does not count; those that compare times are not run, nor is the one
@@ -53,18 +53,15 @@ build_with() {
   local flags=flags_$1 runtime= include=() library=()
   if [ -d /opt/ros/noetic ]; then include=(-I/opt/ros/noetic/include) library=(-L/opt/ros/noetic/lib); fi
   local compile=(g++ -std=c++17 ${!flags} "${include[@]}")
-  mkdir -p "$build/devel/lib/python3/dist-packages" "$build/devel/lib/nodelet"
+  mkdir -p "$build/devel/lib/nodelet"
   if [ "$1" = thread ]; then
     runtime=$build/libthread_runtime.so
     "${compile[@]}" -fno-visibility-inlines-hidden -fPIC -shared "$settings/thread_runtime.cpp" -lopencv_core -o "$runtime" ||
       return 1
   fi
   # The linker puts the runtime before all other libraries of a program.
-  if ! cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="${!flags}" -DCMAKE_EXE_LINKER_FLAGS="$runtime" \
-    -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 >"$build/cmake.log" 2>&1; then
-    cat "$build/cmake.log"
-    return 1
-  fi
+  configure "$build" "$build/devel" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="${!flags}" \
+    -DCMAKE_EXE_LINKER_FLAGS="$runtime" || return 1
   make -C "$build" -j"$(nproc)" --no-print-directory all tests || return 1
   # roslaunch finds this program `nodelet` first. Reports name our functions only if the library is there from the start.
   "${compile[@]}" -DROS_NODELET="\"$ros_nodelet\"" "$settings/nodelet_manager.cpp" $runtime -o "$build/devel/lib/nodelet/nodelet" \
@@ -153,7 +150,7 @@ check() {
   mkdir "$reports"
   touch "$build/reports.txt"
   run_all "$1" 2>&1 | tee "$build/run.log" || status=$?
-  tests=$(/usr/bin/python3 "$here/summarize_tests.py" "$build/test_results" "$status") || status=1
+  tests=$(/usr/bin/python3 "$root/scripts/summarize_tests.py" "$build/test_results" "$status") || status=1
   echo "$tests"
   count=$(count_reports)
   echo "$1: not run are ${not_run[*]:-none}; run without their verdict ${unjudged[*]:-none}"
@@ -161,11 +158,6 @@ check() {
   [ "$count" -eq 0 ] && [ "$status" -eq 0 ]
 }
 
-export PATH=/usr/bin:$PATH
-"$here/install_dependencies.sh"
-set +u
-if [ -f /opt/ros/noetic/setup.sh ]; then . /opt/ros/noetic/setup.sh; fi
-set -u
 ros_nodelet=$(catkin_find --first-only --libexec nodelet nodelet)
 verdict=()
 result=clean

@@ -4,10 +4,6 @@
 # With clang's libFuzzer if clang++ is there, else with the compiler at hand and a seeded loop. Prints one line for each target.
 # Inputs that are findings stay in build_fuzz/findings/TARGET with what was said about them; the exit status is 1 if there are any.
 set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(dirname "$here")
-build=$root/build_fuzz
-
 if ! [[ ${1:-} =~ ^[0-9]*\.?[0-9]+$ ]]; then
   echo "expected a number of minutes, not '${1:-}'; usage: fuzz.sh MINUTES [TARGET...]" >&2
   exit 2
@@ -19,13 +15,8 @@ if [ "$seconds" -lt 1 ]; then
 fi
 shift
 
-export PATH=/usr/bin:$PATH
-"$here/install_dependencies.sh"
-if [ -f /opt/ros/noetic/setup.sh ]; then
-  set +u
-  . /opt/ros/noetic/setup.sh
-  set -u
-fi
+. "$(dirname "${BASH_SOURCE[0]}")/ros_environment.sh"
+build=$root/build_fuzz
 # Assertions count, so it is no release. Casts of numbers that are too large are checked on top of what `undefined` means.
 flags="-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
 flags+=" -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
@@ -39,9 +30,8 @@ else
   export libfuzzer=false
   fuzzer=(-DCABINET_ARTICULATION_FUZZER=OFF -DCMAKE_CXX_FLAGS="$flags")
 fi
-mkdir -p "$build/devel/lib/python3/dist-packages" "$build/findings" "$build/corpus"
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCATKIN_DEVEL_PREFIX="$build/devel" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-  "${fuzzer[@]}" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log"; exit 1; }
+mkdir -p "$build/findings" "$build/corpus"
+configure "$build" "$build/devel" -DCMAKE_BUILD_TYPE=Debug "${fuzzer[@]}"
 rm -f "$build"/devel/lib/cabinet_articulation/*_fuzz  # of targets that have another name now
 make -C "$build" -j"$(nproc)" --no-print-directory fuzzers >"$build/make.log" 2>&1 || { tail -n 50 "$build/make.log"; exit 1; }
 

@@ -113,9 +113,9 @@ class ArticulationStage : public StageNodelet {
   bool takeOver(const TrackArray& tracks) {
     std::vector<core::TrackUpdate> updates;
     try {
-      updates = fromMessage(tracks);
+      updates = tracks_topic_.decode(tracks);
     } catch (const std::invalid_argument& error) {
-      trouble("input", tracks_topic_.topic() + ": " + error.what());
+      trouble("input", error.what());
       return false;
     }
     const GenerationWatch::Verdict verdict = store_->judge(tracks);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pluginlib/class_list_macros.hpp>
 
-#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/input_settings.h"
@@ -87,24 +86,13 @@ class OverlayStage : public StageNodelet {
     runStage(input.header(), [&] {
       std::vector<core::DetectedRectangle> rectangles;
       std::vector<core::LearnedModel> models;
-      if (input.rectangles) rectangles = fromMessage(*input.rectangles);
-      if (input.models) models = usableModels(*input.models);
+      std::string left_out;
+      if (input.rectangles) rectangles = rectangles_topic_.decode(*input.rectangles);
+      if (input.models) models = usableModels(*input.models, &left_out);
+      if (!left_out.empty()) trouble("models", models_topic_.topic() + ": " + left_out + "; it is left out");
       if (markers_.getNumSubscribers() > 0) publishMarkers(input, rectangles, models);
       if (overlay_.getNumSubscribers() > 0 && input.image && input.info) publishOverlay(input, rectangles, models);
     });
-  }
-
-  std::vector<core::LearnedModel> usableModels(const ArticulationModelArray& message) {
-    core::requireAtMost("models", message.models.size(), core::limits::kMostFronts);
-    std::vector<core::LearnedModel> models;
-    for (const ArticulationModel& model : message.models) {
-      try {
-        models.push_back(fromMessage(model));
-      } catch (const std::invalid_argument& error) {
-        trouble("models", models_topic_.topic() + ": the model of front " + std::to_string(model.id) + ": " + error.what());
-      }
-    }
-    return models;
   }
 
   void publishMarkers(const Input& input, const std::vector<core::DetectedRectangle>& rectangles,

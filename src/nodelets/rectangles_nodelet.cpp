@@ -101,7 +101,7 @@ class RectanglesStage : public StageNodelet {
     const std::vector<core::Rectangle> expected = expectedIn(header, input.period, &wait);
     const auto work = [&] {
       const FrameViews views = frames_->view(input.frame);
-      const auto rectangles = detector_->process(views.frame, fromMessage(*input.planes), expected);
+      const auto rectangles = detector_->process(views.frame, planes_topic_.decode(*input.planes), expected);
       health().note("rectangles", static_cast<double>(rectangles.size()));
       publish(rectangles_, toMessage(rectangles, header));
       worked_on_ = header.stamp;
@@ -135,7 +135,7 @@ class RectanglesStage : public StageNodelet {
     try {
       const double left = std::max(0.0, period - answer.waited);
       const Eigen::Isometry3d T_fixed_camera = transforms_.lookup(fixed_frame, camera.frame_id, camera.stamp, left);
-      return core::expectedInCamera(fromMessage(*answer.fronts), camera.stamp.toSec(), T_fixed_camera);
+      return core::expectedInCamera(expected_topic_.decode(*answer.fronts), camera.stamp.toSec(), T_fixed_camera);
     } catch (const std::exception& error) {
       wait->in_vain = true;
       trouble("expected fronts", error.what());

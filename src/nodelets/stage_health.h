@@ -31,8 +31,8 @@ class StageHealth {
   /// A number worth knowing, shown with the others.
   void note(const std::string& name, double value);
 
-  /// Something is wrong, in words. One trouble for each key; it is shown for some seconds after it was last reported, also while the stage is idle.
-  /// True if it is time to log it (again).
+  /// Something is wrong, in words. One trouble for each key; it is shown for some seconds after it was last reported, also while
+  /// the stage is idle. True if it is time to log it (again).
   bool trouble(const std::string& key, const std::string& text, double now);
 
   /// A trouble that stays, also while the stage is idle, until it is set to an empty text.

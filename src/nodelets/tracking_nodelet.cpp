@@ -87,7 +87,7 @@ class TrackingStage : public StageNodelet {
     const Eigen::Isometry3d T_fixed_camera =
         transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
     const double stamp = header.stamp.toSec();
-    const auto& tracks = tracker_->process(stamp, core::transformed(fromMessage(rectangles), T_fixed_camera));
+    const auto& tracks = tracker_->process(stamp, core::transformed(rectangles_topic_.decode(rectangles), T_fixed_camera));
     health().note("tracks", static_cast<double>(tracks.size()));
     if (somebody_joined_.exchange(false)) updates_.startAnew();
     TrackArray message = toMessage(updates_.of(tracks, stamp), header);

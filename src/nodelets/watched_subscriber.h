@@ -6,6 +6,7 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 
 #include "cabinet_articulation/ros/callback_guard.h"
@@ -43,6 +44,16 @@ class WatchedSubscriber {
 
   /// Resolved; empty before the first subscription. The first one must not be under way in another thread.
   const std::string& topic() const { return topic_; }
+
+  /// Core types of a message that came here; an error names the topic.
+  template <class Message>
+  auto decode(const Message& message) const {
+    try {
+      return fromMessage(message);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(topic_ + ": " + error.what());
+    }
+  }
 
   /// May be called at any time from any thread, also while the stage subscribes anew.
   std::uint32_t publishers() const { return subscriber().getNumPublishers(); }

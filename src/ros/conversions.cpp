@@ -189,4 +189,9 @@ std::vector<core::LearnedModel> fromMessage(const ArticulationModelArray& messag
   return fromMessages<core::LearnedModel>(message.models, "models", core::limits::kMostFronts);
 }
 
+std::vector<core::LearnedModel> usableModels(const ArticulationModelArray& message, std::string* left_out) {
+  const auto convert = [](const ArticulationModel& model) { return fromMessage(model); };
+  return convertUsable<core::LearnedModel>(message.models, "models", core::limits::kMostFronts, convert, left_out);
+}
+
 }  // namespace cabinet_articulation

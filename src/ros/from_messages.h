@@ -33,4 +33,20 @@ std::vector<Core> fromMessages(const std::vector<Message>& messages, const std::
   return convertAll<Core>(messages, name, most, [](const Message& message) { return fromMessage(message); });
 }
 
+/// As convertAll, but without what cannot be used; `left_out` names one that cannot, and why.
+template <class Core, class Message, class Convert>
+std::vector<Core> convertUsable(const std::vector<Message>& messages, const std::string& name, std::size_t most,
+                                const Convert& convert, std::string* left_out) {
+  std::vector<Core> result;
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    try {
+      core::requireAtMost(name.c_str(), i + 1, most);
+      result.push_back(convert(messages[i]));
+    } catch (const std::invalid_argument& error) {
+      *left_out = name + "[" + std::to_string(i) + "]: " + error.what();
+    }
+  }
+  return result;
+}
+
 }  // namespace cabinet_articulation

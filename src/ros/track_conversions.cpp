@@ -167,16 +167,7 @@ core::Track wholeTrack(const Track& message) {
 }
 
 std::vector<core::Track> usableTracks(const KnownFrontArray& message, std::string* left_out) {
-  std::vector<core::Track> tracks;
-  for (size_t i = 0; i < message.tracks.size(); ++i) {
-    try {
-      core::requireAtMost("tracks", i + 1, core::limits::kMostEntries);
-      tracks.push_back(wholeTrack(message.tracks[i]));
-    } catch (const std::invalid_argument& error) {
-      *left_out = "tracks[" + std::to_string(i) + "]: " + error.what();
-    }
-  }
-  return tracks;
+  return convertUsable<core::Track>(message.tracks, "tracks", core::limits::kMostEntries, wholeTrack, left_out);
 }
 
 TrackArray toMessage(const std::vector<core::Track>& tracks, const std_msgs::Header& header) {

@@ -52,4 +52,7 @@ ArticulationModelArray toMessage(const std::vector<core::LearnedModel>& models, 
 core::LearnedModel fromMessage(const ArticulationModel& message);
 std::vector<core::LearnedModel> fromMessage(const ArticulationModelArray& message);
 
+/// Those that can be used, as usableTracks.
+std::vector<core::LearnedModel> usableModels(const ArticulationModelArray& message, std::string* left_out);
+
 }  // namespace cabinet_articulation

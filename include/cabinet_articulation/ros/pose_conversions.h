@@ -18,8 +18,8 @@ geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v);
 boost::array<double, 36> toMessage(const core::Matrix6d& covariance);
 
-/// Throws std::invalid_argument for a position beyond limits::kFromOrigin, and for a quaternion that is not of unit length. Allowed
-/// is 1 +- 0.01, as in RViz; it is normalised.
+/// Throws std::invalid_argument for a position beyond limits::kFromOrigin, and for a quaternion that is not of unit length.
+/// Allowed is 1 +- 0.01, as in RViz; it is normalised.
 Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& p);
 Eigen::Vector3d fromMessage(const geometry_msgs::Vector3& v);
