@@ -44,6 +44,7 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
   using Clock = std::chrono::steady_clock;
   static constexpr std::uint32_t kQueue = 4;
   static constexpr std::chrono::seconds kPatience{5};  ///< until a frame is given up that no models come of
+  static constexpr std::chrono::seconds kQuiet{10};    ///< between two warnings of frames that come late
 
   void onInit() override {
     guard_("start", [this] { start(); });
@@ -122,11 +123,16 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
       publishState(frame, header);
       if (isWatched()) publishImages(camera_->frame(frame), header);
       const int due = static_cast<int>((Clock::now() - start) / period);
-      if (due > frame + 1)
-        NODELET_WARN_THROTTLE(10, "%s: a frame takes longer than 1 / rate = %.0f ms, some are left out", getName().c_str(),
-                              1e3 / config_.rate);
+      if (due > frame + 1) warnOfLateFrames();
       frame = std::max(frame + 1, due);
     }
+  }
+
+  /// Now and then. ROS's throttled logging shares one time between all cameras of a manager, without a lock.
+  void warnOfLateFrames() {
+    if (Clock::now() < next_warning_) return;
+    next_warning_ = Clock::now() + kQuiet;
+    NODELET_WARN("%s: a frame takes longer than 1 / rate = %.0f ms, some are left out", getName().c_str(), 1e3 / config_.rate);
   }
 
   bool mayStart() const {
@@ -182,6 +188,7 @@ class SimulatedStereoCameraNodelet final : public nodelet::Nodelet {
   std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
 
   std::thread thread_;
+  Clock::time_point next_warning_;  ///< used by thread_ alone
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stopped_ = false;     ///< guarded by mutex_, like the next
