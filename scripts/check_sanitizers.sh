@@ -29,7 +29,7 @@ unjudged_thread=(
   end_to_end.test end_to_end__scene_drawer.test end_to_end__scene_static.test end_to_end__scene_door__input_disparity.test
   end_to_end__scene_drawer__input_depth.test end_to_end__scene_kitchen__camera_motion_true.test
   two_cameras.test two_cameras__one_manager_true.test looped_bag.test nodes.test two_managers.test realsense.test operator.test
-  hostile_messages.test model_saving_test
+  hostile_messages.test model_saving_test simulated_stereo_camera.test
 )
 not_run_address=(track_cost_test plane_memory_test)
 not_run_thread=(

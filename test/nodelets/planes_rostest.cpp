@@ -36,12 +36,12 @@ class PlanesNodelet : public testing::Test {
     disparity_.publish(disparity);
   }
 
-  /// Repeats `publish` until planes come, for the nodelet may not know its camera yet.
+  /// Repeats `publish` until planes come, for the nodelet may not know its camera yet. Not those of earlier frames.
   PlaneArray answer(const std::function<void()>& publish, const Recorder<PlaneArray>& planes) {
-    const size_t before = planes.messages.size();
+    const ros::Time before = stamp_;
     const bool came = spinUntil([&] {
       publish();
-      return spinUntil([&] { return planes.messages.size() > before; }, 0.3);
+      return spinUntil([&] { return !planes.messages.empty() && planes.messages.back()->header.stamp > before; }, 0.3);
     });
     return came ? *planes.messages.back() : PlaneArray();
   }
