@@ -17,8 +17,10 @@ int main(int argc, char** argv) {
   }
   ros::init(argc, argv, command);
   const bool is_manager = command == "manager";
-  nodelet::Loader loader(is_manager);
-  if (!is_manager && !loader.load(ros::this_node::getName(), argv[2], ros::names::getRemappings(), {})) return 1;
+  // Never destroyed: if a bond breaks meanwhile, ~Loader unloads a nodelet from a list that is gone.
+  static auto* const loader = new nodelet::Loader(is_manager);
+  if (!is_manager && !loader->load(ros::this_node::getName(), argv[2], ros::names::getRemappings(), {})) return 1;
   ros::spin();
+  for (const std::string& name : loader->listLoadedNodelets()) loader->unload(name);
   return 0;
 }
