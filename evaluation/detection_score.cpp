@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <tuple>
 
-#include "cabinet_articulation/geometry/degrees.h"
 #include "csv_writer.h"
+#include "geometry/degrees.h"
 #include "statistics.h"
 
 namespace cabinet_articulation::core::evaluation {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

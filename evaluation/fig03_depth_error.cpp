@@ -9,8 +9,8 @@
 #include "csv_writer.h"
 #include "options.h"
 #include "recorded_sequence.h"
-#include "run_program.h"
 #include "simulated_sources.h"
+#include "tools/run_program.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -9,18 +9,18 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/geometry/degrees.h"
+#include "articulation/model_registry.h"
 #include "csv_writer.h"
 #include "detection_table.h"
 #include "failure_picture.h"
+#include "geometry/degrees.h"
 #include "learned_run.h"
 #include "learning_curve.h"
 #include "options.h"
 #include "parallel.h"
 #include "recorded_sequence.h"
-#include "run_program.h"
 #include "simulated_sources.h"
+#include "tools/run_program.h"
 #include "variants.h"
 
 namespace cabinet_articulation::core::evaluation {

@@ -9,17 +9,17 @@
 #include <opencv2/core/utility.hpp>
 #include <sstream>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/geometry/degrees.h"
+#include "articulation/model_registry.h"
 #include "csv_writer.h"
+#include "geometry/degrees.h"
 #include "interval_coverage.h"
 #include "learning_curve.h"
 #include "options.h"
 #include "parallel.h"
 #include "recorded_sequence.h"
-#include "run_program.h"
 #include "simulated_sources.h"
 #include "statistics.h"
+#include "tools/run_program.h"
 #include "track_source.h"
 
 namespace cabinet_articulation::core::evaluation {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 #include "learning_curve.h"
 
 namespace cabinet_articulation::core::evaluation {

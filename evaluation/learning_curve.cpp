@@ -6,7 +6,7 @@
 #include <numeric>
 #include <opencv2/core.hpp>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

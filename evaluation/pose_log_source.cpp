@@ -2,7 +2,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "pose_log.h"
+#include "tools/pose_log.h"
 #include "track_source.h"
 
 namespace cabinet_articulation::core::evaluation {

@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "cabinet_articulation/geometry/message_precision.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -3,9 +3,9 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 #include "front_truth.h"
+#include "geometry/degrees.h"
 #include "simulated_sources.h"
 
 namespace cabinet_articulation::core::evaluation {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cabinet_articulation/ros/input_settings.h"
+#include "ros/input_settings.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

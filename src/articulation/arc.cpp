@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/arc.h"
+#include "articulation/arc.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/arc_fit.h"
+#include "articulation/arc_fit.h"
 
 #include <ceres/tiny_solver.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cabinet_articulation/articulation/arc_problem.h"
-#include "noise_estimate.h"
+#include "articulation/arc_problem.h"
+#include "articulation/noise_estimate.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/arc_model.h"
+#include "articulation/arc_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cabinet_articulation/articulation/arc_start.h"
+#include "articulation/arc_start.h"
 
 namespace cabinet_articulation::core {
 namespace {

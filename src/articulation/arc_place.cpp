@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "arc_place.h"
+#include "articulation/arc_place.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/arc_problem.h"
+#include "articulation/arc_problem.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "arc_place.h"
+#include "articulation/arc_place.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/arc_start.h"
+#include "articulation/arc_start.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "cabinet_articulation/articulation/front_learner.h"
+#include "articulation/front_learner.h"
 
 namespace cabinet_articulation::core {
 namespace {

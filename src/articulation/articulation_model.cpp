@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/articulation_model.h"
+#include "articulation/articulation_model.h"
 
 #include <algorithm>
 #include <cmath>

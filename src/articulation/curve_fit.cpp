@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/curve_fit.h"
+#include "articulation/curve_fit.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/front_learner.h"
+#include "articulation/front_learner.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/articulation/motion_criterion.h"
-#include "hinge_plausibility.h"
-#include "model_description.h"
+#include "articulation/hinge_plausibility.h"
+#include "articulation/model_description.h"
+#include "articulation/model_registry.h"
+#include "articulation/motion_criterion.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/front_poses.h"
+#include "articulation/front_poses.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "cabinet_articulation/articulation/observation_noise.h"
+#include "articulation/observation_noise.h"
 
 namespace cabinet_articulation::core {
 namespace {

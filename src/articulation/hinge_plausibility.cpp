@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hinge_plausibility.h"
+#include "articulation/hinge_plausibility.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cabinet_articulation/articulation/model_selection.h"
+#include "articulation/model_selection.h"
 #include "cabinet_articulation/tracking/track.h"
 
 namespace cabinet_articulation::core {

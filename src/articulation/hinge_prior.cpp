@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/hinge_prior.h"
+#include "articulation/hinge_prior.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/joint_evidence.h"
+#include "articulation/joint_evidence.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model_description.h"
+#include "articulation/model_description.h"
 
 #include <cmath>
 
-#include "cabinet_articulation/articulation/range_ends.h"
+#include "articulation/range_ends.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "cabinet_articulation/articulation/model_selection.h"
+#include "articulation/model_selection.h"
 
 namespace cabinet_articulation::core {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 
-#include "cabinet_articulation/articulation/nonparametric_model.h"
-#include "cabinet_articulation/articulation/prismatic_model.h"
-#include "cabinet_articulation/articulation/rigid_model.h"
-#include "cabinet_articulation/articulation/rotational_model.h"
+#include "articulation/nonparametric_model.h"
+#include "articulation/prismatic_model.h"
+#include "articulation/rigid_model.h"
+#include "articulation/rotational_model.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/model_selection.h"
+#include "articulation/model_selection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/motion_comparison.h"
+#include "articulation/motion_comparison.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "cabinet_articulation/articulation/motion_criterion.h"
+#include "articulation/motion_criterion.h"
 
 namespace cabinet_articulation::core {
 namespace {

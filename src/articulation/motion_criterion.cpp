@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/motion_criterion.h"
+#include "articulation/motion_criterion.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "cabinet_articulation/articulation/observation_noise.h"
+#include "articulation/observation_noise.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cabinet_articulation/articulation/arc_problem.h"
+#include "articulation/arc_problem.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
 
 namespace cabinet_articulation::core {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/nonparametric_model.h"
+#include "articulation/nonparametric_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cabinet_articulation/articulation/arc_start.h"
-#include "cabinet_articulation/articulation/motion_criterion.h"
+#include "articulation/arc_start.h"
+#include "articulation/motion_criterion.h"
 
 namespace cabinet_articulation::core {
 namespace {

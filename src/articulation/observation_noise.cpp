@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/observation_noise.h"
+#include "articulation/observation_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/pose_curve.h"
+#include "articulation/pose_curve.h"
 
 #include <algorithm>
 #include <cmath>

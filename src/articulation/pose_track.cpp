@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/pose_track.h"
+#include "articulation/pose_track.h"
 
 namespace cabinet_articulation::core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/prismatic_model.h"
+#include "articulation/prismatic_model.h"
 
 namespace cabinet_articulation::core {
 

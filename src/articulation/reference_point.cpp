@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/reference_point.h"
+#include "articulation/reference_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "cabinet_articulation/articulation/arc_fit.h"
-#include "cabinet_articulation/articulation/arc_start.h"
+#include "articulation/arc_fit.h"
+#include "articulation/arc_start.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/rigid_model.h"
+#include "articulation/rigid_model.h"
 
 #include <Eigen/LU>
 #include <cmath>

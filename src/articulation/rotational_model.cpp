@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/rotational_model.h"
+#include "articulation/rotational_model.h"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "cabinet_articulation/config/ordinary_file.h"
+#include "config/ordinary_file.h"
 
 namespace cabinet_articulation::core {
 namespace detail {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/geometry/message_precision.h"
+#include "geometry/message_precision.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/joints/front_merge.h"
+#include "joints/front_merge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {
@@ -46,8 +46,7 @@ std::optional<double> distanceToWay(const LearnedModel& seen, const LearnedModel
   std::optional<double> best;
   for (int i = 0; i < kPlaces; ++i) {
     const Rectangle place = placeAt(seen, seen.q_min + (seen.q_max - seen.q_min) * i / (kPlaces - 1));
-    const double q =
-        std::clamp(way.configuration(place.pose), way.q_min - beyondSeen(way), way.q_max + beyondSeen(way));
+    const double q = std::clamp(way.configuration(place.pose), way.q_min - beyondSeen(way), way.q_max + beyondSeen(way));
     const std::optional<double> distance = distanceBetween(place, placeAt(way, q));
     if (distance && (!best || *distance < *best)) best = distance;
   }
@@ -98,14 +97,6 @@ std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b) {
   return std::min(*forth, *back);
 }
 
-std::string inWords(const std::vector<IdChange>& changes) {
-  std::string text;
-  for (const IdChange& change : changes)
-    text += (text.empty() ? "front " : ", front ") + std::to_string(change.from) + " of the file is front " +
-            std::to_string(change.to) + " now";
-  return text;
-}
-
 std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<std::uint32_t>* taken) {
   std::set<std::uint32_t> ids(taken->begin(), taken->end());
   std::vector<KnownFront*> without;
@@ -124,8 +115,7 @@ std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<s
   return changes;
 }
 
-MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file,
-                         const std::vector<LearnedModel>& removed) {
+MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed) {
   const auto is_removed = [&](const KnownFront& front) {
     return std::any_of(removed.begin(), removed.end(),
                        [&](const LearnedModel& model) { return samePlace(model, front.model).has_value(); });

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 
 namespace cabinet_articulation::core {
 namespace {

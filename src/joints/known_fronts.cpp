@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "cabinet_articulation/tracking/history.h"
+#include "tracking/history.h"
 
 namespace cabinet_articulation::core {
 
@@ -21,6 +21,14 @@ bool isWorthKeeping(const LearnedModel& model) {
 }
 
 }  // namespace
+
+std::string inWords(const std::vector<IdChange>& changes) {
+  std::string text;
+  for (const IdChange& change : changes)
+    text += (text.empty() ? "front " : ", front ") + std::to_string(change.from) + " of the file is front " +
+            std::to_string(change.to) + " now";
+  return text;
+}
 
 std::size_t KnownFronts::follow(std::vector<TrackUpdate> updates) {
   tracks_.add(std::move(updates));

@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "cabinet_articulation/config/ordinary_file.h"
-#include "model_text.h"
-#include "safe_file.h"
+#include "config/ordinary_file.h"
+#include "joints/front_merge.h"
+#include "joints/model_text.h"
+#include "joints/safe_file.h"
 
 namespace cabinet_articulation::core {
 namespace {

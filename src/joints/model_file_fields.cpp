@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model_file_fields.h"
+#include "joints/model_file_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
 
 namespace cabinet_articulation::core {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model_text.h"
+#include "joints/model_text.h"
 
 #include <set>
 #include <stdexcept>
 
-#include "cabinet_articulation/tracking/history.h"
-#include "model_file_fields.h"
+#include "joints/front_merge.h"
+#include "joints/model_file_fields.h"
+#include "tracking/history.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/joints/removed_fronts.h"
+#include "joints/removed_fronts.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "cabinet_articulation/joints/front_merge.h"
+#include "joints/front_merge.h"
 
 namespace cabinet_articulation::core {
 namespace {

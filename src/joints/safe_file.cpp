@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "safe_file.h"
+#include "joints/safe_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -61,7 +61,8 @@ urdf::MaterialSharedPtr wood() {
 
 /// XML has no way to write control characters, nor bytes that are no UTF-8.
 bool fitsXml(boost::locale::utf::code_point c) {
-  return boost::locale::utf::is_valid_codepoint(c) && (c >= 0x20 || c == '\t' || c == '\n' || c == '\r') && c != 0xFFFE && c != 0xFFFF;
+  return boost::locale::utf::is_valid_codepoint(c) && (c >= 0x20 || c == '\t' || c == '\n' || c == '\r') && c != 0xFFFE &&
+         c != 0xFFFF;
 }
 
 /// Throws ModelError for a name that a description cannot hold. `what` it is the name of, in words.

@@ -7,13 +7,13 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
-#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/joints.h"
-#include "callback_threads.h"
-#include "model_services.h"
-#include "model_store.h"
-#include "stage_nodelet.h"
+#include "nodelets/callback_threads.h"
+#include "nodelets/model_services.h"
+#include "nodelets/model_store.h"
+#include "nodelets/stage_nodelet.h"
+#include "ros/clock_jump.h"
+#include "ros/joints.h"
 
 namespace cabinet_articulation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "callback_threads.h"
+#include "nodelets/callback_threads.h"
 
 #include <memory>
 #include <mutex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_input.h"
+#include "nodelets/frame_input.h"
 
 namespace cabinet_articulation {
 namespace {

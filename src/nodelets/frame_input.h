@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cabinet_articulation/ros/frame_assembler.h"
-#include "watched_subscriber.h"
+#include "nodelets/watched_subscriber.h"
+#include "ros/frame_assembler.h"
 
 namespace cabinet_articulation {
 

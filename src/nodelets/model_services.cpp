@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model_services.h"
+#include "nodelets/model_services.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,8 +11,8 @@
 #include "cabinet_articulation/joints/prediction.h"
 #include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/joints.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "ros/joints.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_config.h"
-#include "model_store.h"
+#include "nodelets/model_store.h"
 
 namespace cabinet_articulation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model_store.h"
+#include "nodelets/model_store.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -13,10 +13,10 @@
 
 #include "cabinet_articulation/joints/known_fronts.h"
 #include "cabinet_articulation/joints/model_file.h"
-#include "cabinet_articulation/joints/removed_fronts.h"
-#include "cabinet_articulation/ros/callback_guard.h"
-#include "generation_watch.h"
-#include "settings.h"
+#include "joints/removed_fronts.h"
+#include "nodelets/generation_watch.h"
+#include "nodelets/settings.h"
+#include "ros/callback_guard.h"
 
 namespace cabinet_articulation {
 

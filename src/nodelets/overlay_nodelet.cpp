@@ -3,13 +3,13 @@
 
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/input_settings.h"
-#include "cabinet_articulation/ros/markers.h"
-#include "cabinet_articulation/ros/model_drawing.h"
-#include "cabinet_articulation/ros/overlay.h"
-#include "cabinet_articulation/ros/recent_messages.h"
-#include "stage_nodelet.h"
-#include "transform_source.h"
+#include "nodelets/stage_nodelet.h"
+#include "nodelets/transform_source.h"
+#include "ros/input_settings.h"
+#include "ros/markers.h"
+#include "ros/model_drawing.h"
+#include "ros/overlay.h"
+#include "ros/recent_messages.h"
 
 namespace cabinet_articulation {
 namespace {

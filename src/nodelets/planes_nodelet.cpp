@@ -2,9 +2,9 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/planes/plane_segmenter.h"
-#include "cabinet_articulation/ros/plane_messages.h"
-#include "frame_input.h"
-#include "stage_nodelet.h"
+#include "nodelets/frame_input.h"
+#include "nodelets/stage_nodelet.h"
+#include "ros/plane_messages.h"
 
 namespace cabinet_articulation {
 namespace {

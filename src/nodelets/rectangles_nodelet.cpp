@@ -7,14 +7,14 @@
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
-#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "expected_inbox.h"
-#include "frame_input.h"
-#include "stage_nodelet.h"
-#include "transform_source.h"
+#include "nodelets/expected_inbox.h"
+#include "nodelets/frame_input.h"
+#include "nodelets/stage_nodelet.h"
+#include "nodelets/transform_source.h"
+#include "ros/clock_jump.h"
 
 namespace cabinet_articulation {
 

@@ -15,12 +15,12 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <thread>
 
-#include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/parameters.h"
-#include "cabinet_articulation/ros/simulation_conversions.h"
-#include "callback_threads.h"
-#include "settings.h"
+#include "nodelets/callback_threads.h"
+#include "nodelets/settings.h"
+#include "ros/callback_guard.h"
+#include "ros/parameters.h"
+#include "ros/simulation_conversions.h"
 
 namespace cabinet_articulation {
 

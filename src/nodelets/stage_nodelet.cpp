@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stage_nodelet.h"
+#include "nodelets/stage_nodelet.h"
 
 #include <cabinet_articulation/Timing.h>
 
 #include <chrono>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "orderly_exit.h"
+#include "nodelets/orderly_exit.h"
 
 namespace cabinet_articulation {
 namespace {

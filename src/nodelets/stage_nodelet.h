@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "cabinet_articulation/ros/callback_guard.h"
-#include "cabinet_articulation/ros/live_settings.h"
-#include "cabinet_articulation/ros/parameters.h"
-#include "callback_threads.h"
-#include "latest_worker.h"
-#include "settings.h"
-#include "stage_health.h"
-#include "watched_subscriber.h"
+#include "nodelets/callback_threads.h"
+#include "nodelets/latest_worker.h"
+#include "nodelets/settings.h"
+#include "nodelets/stage_health.h"
+#include "nodelets/watched_subscriber.h"
+#include "ros/callback_guard.h"
+#include "ros/live_settings.h"
+#include "ros/parameters.h"
 
 namespace cabinet_articulation {
 

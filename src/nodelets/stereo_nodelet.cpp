@@ -3,10 +3,10 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/input_settings.h"
-#include "cabinet_articulation/ros/pair_matcher.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
-#include "stage_nodelet.h"
+#include "nodelets/stage_nodelet.h"
+#include "ros/input_settings.h"
+#include "ros/pair_matcher.h"
 
 namespace cabinet_articulation {
 

@@ -5,11 +5,11 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
-#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
-#include "stage_nodelet.h"
-#include "transform_source.h"
+#include "nodelets/stage_nodelet.h"
+#include "nodelets/transform_source.h"
+#include "ros/clock_jump.h"
 
 namespace cabinet_articulation {
 

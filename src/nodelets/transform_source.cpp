@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "transform_source.h"
+#include "nodelets/transform_source.h"
 
 #include <ros/node_handle.h>
 #include <tf2/exceptions.h>
 
 #include <stdexcept>
 
-#include "cabinet_articulation/ros/transform_lookup.h"
+#include "ros/transform_lookup.h"
 
 namespace cabinet_articulation {
 namespace {

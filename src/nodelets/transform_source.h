@@ -9,9 +9,9 @@
 #include <mutex>
 #include <string>
 
-#include "cabinet_articulation/ros/callback_guard.h"
-#include "cabinet_articulation/ros/clock_jump.h"
-#include "callback_threads.h"
+#include "nodelets/callback_threads.h"
+#include "ros/callback_guard.h"
+#include "ros/clock_jump.h"
 
 namespace cabinet_articulation {
 

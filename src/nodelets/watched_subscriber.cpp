@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "watched_subscriber.h"
+#include "nodelets/watched_subscriber.h"
 
 #include <sstream>
 

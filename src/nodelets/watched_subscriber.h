@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "cabinet_articulation/ros/callback_guard.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "ros/callback_guard.h"
 
 namespace cabinet_articulation {
 

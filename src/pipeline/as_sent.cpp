@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/pipeline/as_sent.h"
+#include "pipeline/as_sent.h"
 
 #include <utility>
 
-#include "cabinet_articulation/geometry/message_precision.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
 

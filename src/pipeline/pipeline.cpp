@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "cabinet_articulation/pipeline/as_sent.h"
+#include "pipeline/as_sent.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/fold_search.h"
+#include "planes/fold_search.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/hole_filling.h"
+#include "planes/hole_filling.h"
 
 #include <cmath>
 

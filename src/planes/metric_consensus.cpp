@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/metric_consensus.h"
+#include "planes/metric_consensus.h"
 
 #include <pcl/point_types.h>
 #include <pcl/sample_consensus/ransac.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/photometric_refinement.h"
+#include "planes/photometric_refinement.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/plane_consensus.h"
+#include "planes/plane_consensus.h"
 
 #include <pcl/point_types.h>
 #include <pcl/sample_consensus/ransac.h>
@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
-#include "cabinet_articulation/planes/disparity_tolerance.h"
-#include "cabinet_articulation/planes/plane_fit.h"
+#include "planes/disparity_tolerance.h"
+#include "planes/plane_fit.h"
 
 namespace cabinet_articulation::core {
 namespace {

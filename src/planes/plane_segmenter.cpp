@@ -7,16 +7,16 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/geometry/limits.h"
-#include "cabinet_articulation/planes/duplicate_merger.h"
-#include "cabinet_articulation/planes/fold_search.h"
-#include "cabinet_articulation/planes/hole_filling.h"
-#include "cabinet_articulation/planes/mask_pool.h"
-#include "cabinet_articulation/planes/metric_consensus.h"
-#include "cabinet_articulation/planes/photometric_refinement.h"
-#include "cabinet_articulation/planes/plane_consensus.h"
-#include "cabinet_articulation/planes/plane_mask.h"
-#include "cabinet_articulation/planes/region_competition.h"
-#include "cabinet_articulation/planes/region_growing.h"
+#include "planes/duplicate_merger.h"
+#include "planes/fold_search.h"
+#include "planes/hole_filling.h"
+#include "planes/mask_pool.h"
+#include "planes/metric_consensus.h"
+#include "planes/photometric_refinement.h"
+#include "planes/plane_consensus.h"
+#include "planes/plane_mask.h"
+#include "planes/region_competition.h"
+#include "planes/region_growing.h"
 
 namespace cabinet_articulation::core {
 namespace {

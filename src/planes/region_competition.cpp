@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/region_competition.h"
+#include "planes/region_competition.h"
 
 #include <algorithm>
 #include <cmath>

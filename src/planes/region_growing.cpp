@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/region_growing.h"
+#include "planes/region_growing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "cabinet_articulation/planes/disparity_tolerance.h"
-#include "cabinet_articulation/planes/fold_search.h"
-#include "cabinet_articulation/planes/plane_fit.h"
+#include "planes/disparity_tolerance.h"
+#include "planes/fold_search.h"
+#include "planes/plane_fit.h"
 
 namespace cabinet_articulation::core {
 namespace {

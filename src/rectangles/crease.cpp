@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/crease.h"
+#include "rectangles/crease.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/edge_profile.h"
+#include "rectangles/edge_profile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <opencv2/core/hal/intrin.hpp>
 
-#include "cabinet_articulation/rectangles/image_spans.h"
+#include "rectangles/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {

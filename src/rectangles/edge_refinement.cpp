@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/edge_refinement.h"
+#include "rectangles/edge_refinement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "cabinet_articulation/rectangles/crease.h"
-#include "cabinet_articulation/rectangles/edge_step.h"
-#include "cabinet_articulation/rectangles/side_face.h"
+#include "rectangles/crease.h"
+#include "rectangles/edge_step.h"
+#include "rectangles/side_face.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/edge_step.h"
+#include "rectangles/edge_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "cabinet_articulation/rectangles/side_face.h"
+#include "rectangles/side_face.h"
 
 namespace cabinet_articulation::core {
 namespace {

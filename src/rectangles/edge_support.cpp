@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/edge_support.h"
+#include "rectangles/edge_support.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "cabinet_articulation/planes/plane_region.h"
-#include "cabinet_articulation/rectangles/image_edge.h"
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/image_edge.h"
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/plane_refit.h"
+#include "rectangles/plane_refit.h"
 
 #include <cmath>
 
-#include "cabinet_articulation/rectangles/image_spans.h"
+#include "rectangles/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/rectangle_covariance.h"
+#include "rectangles/rectangle_covariance.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "cabinet_articulation/rectangles/image_edge.h"
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -8,16 +8,16 @@
 #include <string>
 
 #include "cabinet_articulation/geometry/limits.h"
-#include "cabinet_articulation/rectangles/edge_refinement.h"
-#include "cabinet_articulation/rectangles/edge_support.h"
-#include "cabinet_articulation/rectangles/image_edge.h"
-#include "cabinet_articulation/rectangles/plane_refit.h"
-#include "cabinet_articulation/rectangles/rectangle_acceptance.h"
-#include "cabinet_articulation/rectangles/rectangle_covariance.h"
-#include "cabinet_articulation/rectangles/region_fit.h"
-#include "cabinet_articulation/rectangles/region_order.h"
-#include "cabinet_articulation/rectangles/round_surface.h"
-#include "cabinet_articulation/rectangles/work_budget.h"
+#include "rectangles/edge_refinement.h"
+#include "rectangles/edge_support.h"
+#include "rectangles/image_edge.h"
+#include "rectangles/plane_refit.h"
+#include "rectangles/rectangle_acceptance.h"
+#include "rectangles/rectangle_covariance.h"
+#include "rectangles/region_fit.h"
+#include "rectangles/region_order.h"
+#include "rectangles/round_surface.h"
+#include "rectangles/work_budget.h"
 
 namespace cabinet_articulation::core {
 namespace {

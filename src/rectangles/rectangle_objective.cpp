@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/rectangle_objective.h"
+#include "rectangles/rectangle_objective.h"
 
 #include <cmath>
 #include <limits>
 
 #include "cabinet_articulation/planes/plane_region.h"
-#include "cabinet_articulation/rectangles/image_spans.h"
+#include "rectangles/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {

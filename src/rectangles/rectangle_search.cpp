@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/rectangle_search.h"
+#include "rectangles/rectangle_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cabinet_articulation/rectangles/image_edge.h"
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/region_fit.h"
+#include "rectangles/region_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "cabinet_articulation/geometry/degrees.h"
-#include "cabinet_articulation/rectangles/edge_support.h"
-#include "cabinet_articulation/rectangles/image_edge.h"
-#include "cabinet_articulation/rectangles/region_order.h"
+#include "geometry/degrees.h"
+#include "rectangles/edge_support.h"
+#include "rectangles/image_edge.h"
+#include "rectangles/region_order.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/region_order.h"
+#include "rectangles/region_order.h"
 
 #include <algorithm>
 #include <cmath>

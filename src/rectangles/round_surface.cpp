@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/round_surface.h"
+#include "rectangles/round_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/side_face.h"
+#include "rectangles/side_face.h"
 
 #include <algorithm>
 #include <cmath>

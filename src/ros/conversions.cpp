@@ -6,10 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "cabinet_articulation/articulation/model_registry.h"
+#include "articulation/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "from_messages.h"
+#include "ros/from_messages.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/frame_assembler.h"
+#include "ros/frame_assembler.h"
 
 #include <algorithm>
 #include <stdexcept>

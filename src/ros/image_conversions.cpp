@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/geometry/limits.h"
-#include "from_messages.h"
+#include "ros/from_messages.h"
 
 namespace cabinet_articulation {
 namespace {

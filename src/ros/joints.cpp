@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/joints.h"
+#include "ros/joints.h"
 
 #include <tf2_eigen/tf2_eigen.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/live_settings.h"
+#include "ros/live_settings.h"
 
 #include <stdexcept>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/markers.h"
+#include "ros/markers.h"
 
-#include "cabinet_articulation/ros/joints.h"
-#include "cabinet_articulation/ros/model_drawing.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "ros/joints.h"
+#include "ros/model_drawing.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/model_drawing.h"
+#include "ros/model_drawing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/geometry/degrees.h"
+#include "articulation/model_registry.h"
 #include "cabinet_articulation/joints/joint.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation {
 namespace {

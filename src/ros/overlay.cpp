@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/overlay.h"
+#include "ros/overlay.h"
 
 #include <opencv2/imgproc.hpp>
 
-#include "cabinet_articulation/ros/joints.h"
-#include "cabinet_articulation/ros/model_drawing.h"
+#include "ros/joints.h"
+#include "ros/model_drawing.h"
 
 namespace cabinet_articulation {
 namespace {

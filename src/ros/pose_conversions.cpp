@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/geometry/limits.h"
-#include "cabinet_articulation/geometry/message_precision.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/simulation_conversions.h"
+#include "ros/simulation_conversions.h"
 
 #include <stdexcept>
 

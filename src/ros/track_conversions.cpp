@@ -9,7 +9,7 @@
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "from_messages.h"
+#include "ros/from_messages.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/transform_lookup.h"
+#include "ros/transform_lookup.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "cabinet_articulation/simulation/cabinet_scenes.h"
+#include "simulation/cabinet_scenes.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_builder.h"
+#include "simulation/cabinet_builder.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/simulation/cabinet_scenes.h"
+#include "simulation/cabinet_scenes.h"
 
 #include <cmath>
 
-#include "scene_factories.h"
+#include "simulation/scene_factories.h"
 
 namespace cabinet_articulation::core {
 

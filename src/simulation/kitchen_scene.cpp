@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vector>
 
-#include "cabinet_builder.h"
-#include "scene_factories.h"
+#include "simulation/cabinet_builder.h"
+#include "simulation/scene_factories.h"
 
 namespace cabinet_articulation::core {
 namespace {

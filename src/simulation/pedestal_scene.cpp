@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_builder.h"
-#include "scene_factories.h"
+#include "simulation/cabinet_builder.h"
+#include "simulation/scene_factories.h"
 
 namespace cabinet_articulation::core {
 namespace {

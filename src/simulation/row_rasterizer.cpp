@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "row_rasterizer.h"
+#include "simulation/row_rasterizer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cabinet_articulation/simulation/scene.h"
-#include "cabinet_articulation/simulation/texture_projector.h"
+#include "simulation/texture_projector.h"
 
 namespace cabinet_articulation::core {
 

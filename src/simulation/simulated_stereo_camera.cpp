@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cabinet_articulation/simulation/cabinet_scenes.h"
-#include "cabinet_articulation/simulation/image_sensor.h"
-#include "cabinet_articulation/simulation/stereo_renderer.h"
+#include "simulation/cabinet_scenes.h"
+#include "simulation/image_sensor.h"
+#include "simulation/stereo_renderer.h"
 
 namespace cabinet_articulation::core {
 namespace {

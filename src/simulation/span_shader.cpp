@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "span_shader.h"
+#include "simulation/span_shader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "cabinet_articulation/simulation/texture_projector.h"
+#include "simulation/texture_projector.h"
 
 namespace cabinet_articulation::core {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/simulation/stereo_renderer.h"
+#include "simulation/stereo_renderer.h"
 
 #include <algorithm>
 #include <array>
 
-#include "row_rasterizer.h"
-#include "span_shader.h"
+#include "simulation/row_rasterizer.h"
+#include "simulation/span_shader.h"
 
 namespace cabinet_articulation::core {
 namespace {

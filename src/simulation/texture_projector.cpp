@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/simulation/texture_projector.h"
+#include "simulation/texture_projector.h"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "row_rasterizer.h"
+#include "simulation/row_rasterizer.h"
 
 namespace cabinet_articulation::core {
 namespace {

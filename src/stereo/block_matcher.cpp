@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "image_text.h"
+#include "stereo/image_text.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/stereo/block_matcher.h"
-#include "image_text.h"
+#include "stereo/image_text.h"
 
 namespace cabinet_articulation::core {
 namespace {

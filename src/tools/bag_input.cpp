@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bag_input.h"
+#include "tools/bag_input.h"
 
 #include <rosbag/view.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "message_stream.h"
+#include "tools/message_stream.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "cabinet_articulation/ros/frame_assembler.h"
+#include "ros/frame_assembler.h"
 
 namespace cabinet_articulation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bag_transforms.h"
+#include "tools/bag_transforms.h"
 
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "cabinet_articulation/ros/transform_lookup.h"
-#include "message_stream.h"
+#include "ros/transform_lookup.h"
+#include "tools/message_stream.h"
 
 namespace cabinet_articulation {
 namespace {

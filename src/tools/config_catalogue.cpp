@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "config_catalogue.h"
+#include "tools/config_catalogue.h"
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"

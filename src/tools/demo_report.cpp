@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cabinet_articulation/ros/simulation_conversions.h"
-#include "truth_comparison.h"
+#include "ros/simulation_conversions.h"
+#include "tools/truth_comparison.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
-#include "cabinet_articulation/ros/overlay.h"
-#include "run_program.h"
+#include "config/ordinary_file.h"
+#include "ros/overlay.h"
+#include "tools/run_program.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "articulation/model_registry.h"
 #include "cabinet_articulation/articulation/articulation_learner.h"
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/geometry/degrees.h"
-#include "pose_log.h"
+#include "geometry/degrees.h"
+#include "tools/pose_log.h"
 
 namespace cabinet_articulation::core {
 namespace {

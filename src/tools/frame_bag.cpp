@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_bag.h"
+#include "tools/frame_bag.h"
 
 #include <rosbag/view.h>
 
@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "message_stream.h"
+#include "config/ordinary_file.h"
+#include "tools/message_stream.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -7,10 +7,10 @@
 #include <map>
 #include <string>
 
-#include "bag_input.h"
-#include "cabinet_articulation/ros/frame_assembler.h"
-#include "rectifier.h"
-#include "skipped_frames.h"
+#include "ros/frame_assembler.h"
+#include "tools/bag_input.h"
+#include "tools/rectifier.h"
+#include "tools/skipped_frames.h"
 
 namespace cabinet_articulation {
 

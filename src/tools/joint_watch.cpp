@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "joint_watch.h"
+#include "tools/joint_watch.h"
 
 #include <algorithm>
 
 #include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "truth_comparison.h"
+#include "tools/truth_comparison.h"
 
 namespace cabinet_articulation {
 

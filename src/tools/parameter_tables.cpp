@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parameter_tables.h"
+#include "tools/parameter_tables.h"
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
-#include "settings.h"
+#include "nodelets/settings.h"
 
 namespace cabinet_articulation {
 namespace {

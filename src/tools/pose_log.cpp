@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_log.h"
+#include "tools/pose_log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/geometry/limits.h"
+#include "config/ordinary_file.h"
 
 namespace cabinet_articulation::core {
 namespace {

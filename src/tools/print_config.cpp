@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string>
 
-#include "config_catalogue.h"
-#include "parameter_tables.h"
+#include "tools/config_catalogue.h"
+#include "tools/parameter_tables.h"
 
 int main(int argc, char** argv) {
   using namespace cabinet_articulation;

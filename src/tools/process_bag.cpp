@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <optional>
 
-#include "bag_transforms.h"
-#include "cabinet_articulation/ros/clock_jump.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "frame_bag.h"
-#include "result_bag.h"
-#include "run_program.h"
-#include "run_summary.h"
+#include "ros/clock_jump.h"
+#include "tools/bag_transforms.h"
+#include "tools/frame_bag.h"
+#include "tools/result_bag.h"
+#include "tools/run_program.h"
+#include "tools/run_summary.h"
 
 namespace cabinet_articulation {
 namespace {

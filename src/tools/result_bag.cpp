@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "result_bag.h"
+#include "tools/result_bag.h"
 
 #include <algorithm>
 #include <stdexcept>

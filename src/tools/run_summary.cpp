@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run_summary.h"
+#include "tools/run_summary.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/geometry/degrees.h"
+#include "articulation/model_registry.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation {
 namespace {

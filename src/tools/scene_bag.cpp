@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene_bag.h"
+#include "tools/scene_bag.h"
 
 #include <rosbag/bag.h>
 #include <tf2_eigen/tf2_eigen.h>
@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/simulation_conversions.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
+#include "ros/simulation_conversions.h"
 
 namespace cabinet_articulation {
 namespace {

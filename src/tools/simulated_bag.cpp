@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "run_program.h"
-#include "scene_bag.h"
+#include "tools/run_program.h"
+#include "tools/scene_bag.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "soak_record.h"
+#include "tools/soak_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "truth_comparison.h"
+#include "tools/truth_comparison.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/learned_model.h"
-#include "joint_watch.h"
+#include "tools/joint_watch.h"
 
 namespace cabinet_articulation {
 

@@ -20,9 +20,9 @@
 #include "cabinet_articulation/joints/model_file.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "cabinet_articulation/ros/simulation_conversions.h"
-#include "run_program.h"
-#include "soak_record.h"
+#include "ros/simulation_conversions.h"
+#include "tools/run_program.h"
+#include "tools/soak_record.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/parameters.h"
-#include "pose_log.h"
-#include "run_program.h"
+#include "ros/parameters.h"
+#include "tools/pose_log.h"
+#include "tools/run_program.h"
 
 namespace cabinet_articulation {
 namespace {

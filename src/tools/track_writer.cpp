@@ -10,11 +10,11 @@
 #include <fstream>
 #include <map>
 
-#include "cabinet_articulation/config/ordinary_file.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "message_stream.h"
-#include "pose_log.h"
-#include "run_program.h"
+#include "config/ordinary_file.h"
+#include "tools/message_stream.h"
+#include "tools/pose_log.h"
+#include "tools/run_program.h"
 
 namespace cabinet_articulation {
 namespace {

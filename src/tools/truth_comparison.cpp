@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "truth_comparison.h"
+#include "tools/truth_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <set>
 
-#include "cabinet_articulation/articulation/model_registry.h"
-#include "cabinet_articulation/geometry/degrees.h"
+#include "articulation/model_registry.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation {
 namespace {

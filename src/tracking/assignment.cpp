@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/assignment.h"
+#include "tracking/assignment.h"
 
 #include <limits>
 

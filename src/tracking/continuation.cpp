@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/continuation.h"
+#include "tracking/continuation.h"
 
 #include <cmath>
 
 #include "cabinet_articulation/tracking/expected_fronts.h"
-#include "cabinet_articulation/tracking/history.h"
-#include "cabinet_articulation/tracking/motion_gate.h"
-#include "cabinet_articulation/tracking/placement.h"
+#include "tracking/history.h"
+#include "tracking/motion_gate.h"
+#include "tracking/placement.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/ended_tracks.h"
+#include "tracking/ended_tracks.h"
 
 #include <algorithm>
 
-#include "cabinet_articulation/geometry/message_precision.h"
-#include "cabinet_articulation/tracking/history.h"
-#include "cabinet_articulation/tracking/motion_gate.h"
+#include "geometry/message_precision.h"
+#include "tracking/history.h"
+#include "tracking/motion_gate.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/history.h"
+#include "tracking/history.h"
 
 #include <algorithm>
 
-#include "cabinet_articulation/tracking/motion_gate.h"
+#include "tracking/motion_gate.h"
 
 namespace cabinet_articulation::core {
 

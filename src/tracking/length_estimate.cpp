@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/length_estimate.h"
+#include "tracking/length_estimate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/placement.h"
+#include "tracking/placement.h"
 
 #include <algorithm>
 #include <array>

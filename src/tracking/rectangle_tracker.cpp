@@ -7,10 +7,12 @@
 #include <numeric>
 #include <tuple>
 
-#include "cabinet_articulation/tracking/continuation.h"
-#include "cabinet_articulation/tracking/history.h"
-#include "cabinet_articulation/tracking/placement.h"
-#include "same_front.h"
+#include "tracking/continuation.h"
+#include "tracking/ended_tracks.h"
+#include "tracking/history.h"
+#include "tracking/placement.h"
+#include "tracking/same_front.h"
+#include "tracking/track_memory.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -49,13 +51,20 @@ void placeAnew(Track& track, const KnownSize& size, const KnownPlace& reference,
 }  // namespace
 
 RectangleTracker::RectangleTracker(const TrackingConfig& config)
-    : config_(config), ended_(config), last_stamp_(-std::numeric_limits<double>::infinity()) {
+    : config_(config),
+      live_(std::make_unique<RememberedTracks>()),
+      ended_(std::make_unique<EndedTracks>(config)),
+      last_stamp_(-std::numeric_limits<double>::infinity()) {
   checkConfig(config);
 }
 
+RectangleTracker::~RectangleTracker() = default;
+
+const std::vector<Track>& RectangleTracker::tracks() const { return live_->tracks; }
+
 void RectangleTracker::reset() {
-  live_.clear();
-  ended_.clear();
+  live_->clear();
+  ended_->clear();
   last_stamp_ = -std::numeric_limits<double>::infinity();
 }
 
@@ -64,24 +73,24 @@ void RectangleTracker::remember(std::vector<Track> fronts) {
     if (front.observations.empty() || front.id == 0 || front.id > kLargestId || isKnown(front.id)) continue;
     useIdsFrom(front.id + 1);
     TrackMemory memory = memoryOf(front, config_);
-    ended_.keep(std::move(front), std::move(memory));
+    ended_->keep(std::move(front), std::move(memory));
   }
 }
 
 std::vector<Track> RectangleTracker::knownTracks() const {
-  std::vector<Track> tracks = live_.tracks;
-  tracks.insert(tracks.end(), ended_.tracks().begin(), ended_.tracks().end());
+  std::vector<Track> tracks = live_->tracks;
+  tracks.insert(tracks.end(), ended_->tracks().begin(), ended_->tracks().end());
   return tracks;
 }
 
 bool RectangleTracker::forget(std::uint32_t id) {
-  const bool was_live = live_.erase(id);
-  return ended_.forget(id) || was_live;
+  const bool was_live = live_->erase(id);
+  return ended_->forget(id) || was_live;
 }
 
 void RectangleTracker::useIdsFrom(std::uint32_t id) { next_id_ = std::max(next_id_, id); }
 
-bool RectangleTracker::isKnown(std::uint32_t id) const { return live_.contains(id) || ended_.contains(id); }
+bool RectangleTracker::isKnown(std::uint32_t id) const { return live_->contains(id) || ended_->contains(id); }
 
 std::uint32_t RectangleTracker::takeId() {
   while (next_id_ == 0 || isKnown(next_id_)) ++next_id_;
@@ -89,32 +98,32 @@ std::uint32_t RectangleTracker::takeId() {
 }
 
 const std::vector<Track>& RectangleTracker::process(double stamp, const std::vector<DetectedRectangle>& rectangles) {
-  if (!std::isfinite(stamp) || !(stamp > last_stamp_)) return live_.tracks;
+  if (!std::isfinite(stamp) || !(stamp > last_stamp_)) return live_->tracks;
   last_stamp_ = stamp;
   endTracks(stamp);
   std::vector<DetectedRectangle> usable;
   std::copy_if(rectangles.begin(), rectangles.end(), std::back_inserter(usable), isUsable);
-  const std::vector<int> track_of = assignToTracks(usable, live_, stamp, config_);
+  const std::vector<int> track_of = assignToTracks(usable, *live_, stamp, config_);
   const bool reordered = takeBackYoung(stamp, usable, track_of);
   std::vector<DetectedRectangle> unclaimed;
   for (size_t i = 0; i < usable.size(); ++i) {
     if (track_of[i] < 0)
       unclaimed.push_back(usable[i]);
     else
-      append(stamp, usable[i], live_.tracks[track_of[i]], live_.memories[track_of[i]]);
+      append(stamp, usable[i], live_->tracks[track_of[i]], live_->memories[track_of[i]]);
   }
-  if (reordered) live_.sort();
+  if (reordered) live_->sort();
   takeBack(stamp, &unclaimed);
   startTracks(stamp, std::move(unclaimed));
-  return live_.tracks;
+  return live_->tracks;
 }
 
 ExpectedFronts RectangleTracker::expected() const {
   ExpectedFronts expected;
   expected.horizon = config_.prediction_horizon;
-  for (size_t i = 0; i < live_.tracks.size(); ++i) {
-    const Track& track = live_.tracks[i];
-    const KnownSize& size = live_.memories[i].size.known();
+  for (size_t i = 0; i < live_->tracks.size(); ++i) {
+    const Track& track = live_->tracks[i];
+    const KnownSize& size = live_->memories[i].size.known();
     const bool lost = last_stamp_ - track.observations.back().stamp > config_.tentative_timeout;
     if (!isConfirmed(track, config_) || lost || size.sigma.maxCoeff() > kProposedSigma) continue;
     expected.fronts.push_back(newestMotion(track.observations));
@@ -133,9 +142,9 @@ bool RectangleTracker::flickers(const TrackMemory& memory) const {
 
 void RectangleTracker::endTracks(double stamp) {
   RememberedTracks live;
-  for (size_t i = 0; i < live_.tracks.size(); ++i) {
-    Track& track = live_.tracks[i];
-    TrackMemory& memory = live_.memories[i];
+  for (size_t i = 0; i < live_->tracks.size(); ++i) {
+    Track& track = live_->tracks[i];
+    TrackMemory& memory = live_->memories[i];
     ++memory.unseen;
     const bool confirmed = isConfirmed(track, config_);
     const double timeout = confirmed ? config_.timeout : std::min(config_.timeout, config_.tentative_timeout);
@@ -143,9 +152,9 @@ void RectangleTracker::endTracks(double stamp) {
     if (!lost && !flickers(memory))
       live.insert(std::move(track), std::move(memory));
     else if (confirmed && !flickers(memory))
-      ended_.keep(std::move(track), std::move(memory));
+      ended_->keep(std::move(track), std::move(memory));
   }
-  live_ = std::move(live);
+  *live_ = std::move(live);
 }
 
 void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const {
@@ -173,7 +182,7 @@ void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, 
 }
 
 bool RectangleTracker::isSeenAlready(double stamp, const Rectangle& rectangle) const {
-  return std::any_of(live_.tracks.begin(), live_.tracks.end(), [&](const Track& track) {
+  return std::any_of(live_->tracks.begin(), live_->tracks.end(), [&](const Track& track) {
     const TrackedObservation& newest = track.observations.back();
     return newest.stamp == stamp && isDuplicate(newest.rectangle, rectangle);
   });
@@ -184,15 +193,15 @@ bool RectangleTracker::takeBackYoung(double stamp, const std::vector<DetectedRec
   std::vector<DetectedRectangle> young;
   std::vector<int> young_track;
   for (size_t i = 0; i < rectangles.size(); ++i) {
-    if (track_of[i] < 0 || isConfirmed(live_.tracks[track_of[i]], config_)) continue;
+    if (track_of[i] < 0 || isConfirmed(live_->tracks[track_of[i]], config_)) continue;
     young.push_back(rectangles[i]);
     young_track.push_back(track_of[i]);
   }
   bool any = false;
-  auto taken = ended_.takeBack(young, stamp);
+  auto taken = ended_->takeBack(young, stamp);
   for (size_t i = 0; i < taken.size(); ++i) {
     if (!taken[i]) continue;
-    std::tie(live_.tracks[young_track[i]], live_.memories[young_track[i]]) = std::move(*taken[i]);
+    std::tie(live_->tracks[young_track[i]], live_->memories[young_track[i]]) = std::move(*taken[i]);
     any = true;
   }
   return any;
@@ -202,12 +211,12 @@ void RectangleTracker::takeBack(double stamp, std::vector<DetectedRectangle>* un
   const auto seen = [&](const DetectedRectangle& detection) { return isSeenAlready(stamp, detection.rectangle); };
   unclaimed->erase(std::remove_if(unclaimed->begin(), unclaimed->end(), seen), unclaimed->end());
   std::vector<DetectedRectangle> unknown;
-  auto taken = ended_.takeBack(*unclaimed, stamp);
+  auto taken = ended_->takeBack(*unclaimed, stamp);
   for (size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) {
       auto& [track, memory] = *taken[i];
       append(stamp, (*unclaimed)[i], track, memory);
-      live_.insert(std::move(track), std::move(memory));
+      live_->insert(std::move(track), std::move(memory));
     } else {
       unknown.push_back((*unclaimed)[i]);
     }
@@ -223,7 +232,7 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
                    [&](const DetectedRectangle& a, const DetectedRectangle& b) { return support(a) > support(b); });
   for (const DetectedRectangle& detection : unclaimed) {
     if (isSeenAlready(stamp, detection.rectangle)) continue;
-    if (std::any_of(live_.tracks.begin(), live_.tracks.end(),
+    if (std::any_of(live_->tracks.begin(), live_->tracks.end(),
                     [&](const Track& track) { return isPartOf(track, detection.rectangle, stamp, config_); }))
       continue;
     Track track;
@@ -235,7 +244,7 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
     TrackMemory memory{FrontSize(config_)};
     memory.size.add(detection);
     memory.last_seen = stamp;
-    live_.insert(std::move(track), std::move(memory));
+    live_->insert(std::move(track), std::move(memory));
   }
 }
 

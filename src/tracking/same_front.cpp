@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "same_front.h"
+#include "tracking/same_front.h"
 
 #include <cmath>
 
 #include "cabinet_articulation/tracking/expected_fronts.h"
-#include "cabinet_articulation/tracking/track_memory.h"
+#include "tracking/track_memory.h"
 
 namespace cabinet_articulation::core {
 

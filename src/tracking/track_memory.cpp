@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/track_memory.h"
+#include "tracking/track_memory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "cabinet_articulation/tracking/assignment.h"
-#include "cabinet_articulation/tracking/continuation.h"
+#include "tracking/assignment.h"
+#include "tracking/continuation.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/arc_problem.h"
+#include "articulation/arc_problem.h"
 
 #include <gtest/gtest.h>
 

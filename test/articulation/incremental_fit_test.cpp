@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "articulation/arc_fit.h"
 #include "articulation/synthetic_tracks.h"
-#include "cabinet_articulation/articulation/arc_fit.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -4,9 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <set>
 
+#include "articulation/front_poses.h"
+#include "articulation/model_registry.h"
 #include "articulation/synthetic_tracks.h"
-#include "cabinet_articulation/articulation/front_poses.h"
-#include "cabinet_articulation/articulation/model_registry.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/motion_criterion.h"
+#include "articulation/motion_criterion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "articulation/front_poses.h"
 #include "articulation/synthetic_tracks.h"
-#include "cabinet_articulation/articulation/front_poses.h"
 
 namespace cabinet_articulation::core {
 namespace {

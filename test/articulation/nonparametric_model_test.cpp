@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/nonparametric_model.h"
+#include "articulation/nonparametric_model.h"
 
-#include <limits>
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "articulation/front_poses.h"
 #include "articulation/synthetic_tracks.h"
-#include "cabinet_articulation/articulation/front_poses.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/articulation/observation_noise.h"
+#include "articulation/observation_noise.h"
 
 #include <gtest/gtest.h>
 
 #include "articulation/synthetic_tracks.h"
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core {
 namespace {

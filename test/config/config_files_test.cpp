@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "../../src/tools/config_catalogue.h"
-#include "../../src/tools/parameter_tables.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
+#include "tools/config_catalogue.h"
+#include "tools/parameter_tables.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/config/ordinary_file.h"
+#include "config/ordinary_file.h"
 
 #include <gmock/gmock.h>
 #include <sys/socket.h>

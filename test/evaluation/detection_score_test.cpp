@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

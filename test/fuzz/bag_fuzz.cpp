@@ -2,12 +2,12 @@
 #include <rosbag/bag.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "bag_transforms.h"
 #include "cabinet_articulation/planes/plane_segmenter.h"
-#include "frame_bag.h"
 #include "messages.h"
 #include "scratch_file.h"
 #include "small_frame.h"
+#include "tools/bag_transforms.h"
+#include "tools/frame_bag.h"
 
 namespace cabinet_articulation::fuzz {
 

@@ -2,12 +2,12 @@
 #include <dynamic_reconfigure/Config.h>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
-#include "cabinet_articulation/ros/live_settings.h"
 #include "cabinet_articulation/simulation/simulation_config.h"
-#include "config_catalogue.h"
 #include "fuzz_target.h"
+#include "nodelets/settings.h"
+#include "ros/live_settings.h"
 #include "scratch_file.h"
-#include "settings.h"
+#include "tools/config_catalogue.h"
 
 using namespace cabinet_articulation;
 

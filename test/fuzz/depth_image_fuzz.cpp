@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/planes/plane_segmenter.h"
-#include "cabinet_articulation/ros/frame_assembler.h"
-#include "cabinet_articulation/ros/plane_messages.h"
 #include "messages.h"
+#include "ros/frame_assembler.h"
+#include "ros/plane_messages.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

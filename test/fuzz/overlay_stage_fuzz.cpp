@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/input_settings.h"
-#include "cabinet_articulation/ros/markers.h"
-#include "cabinet_articulation/ros/model_drawing.h"
-#include "cabinet_articulation/ros/overlay.h"
 #include "messages.h"
 #include "model_uses.h"
+#include "ros/input_settings.h"
+#include "ros/markers.h"
+#include "ros/model_drawing.h"
+#include "ros/overlay.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

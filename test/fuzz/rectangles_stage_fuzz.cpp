@@ -3,10 +3,10 @@
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/frame_assembler.h"
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "cabinet_articulation/ros/plane_messages.h"
 #include "messages.h"
+#include "ros/frame_assembler.h"
+#include "ros/plane_messages.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "cabinet_articulation/ros/simulation_conversions.h"
 #include "messages.h"
 #include "model_uses.h"
+#include "ros/simulation_conversions.h"
 #include "small_frame.h"
-#include "truth_comparison.h"
+#include "tools/truth_comparison.h"
 
 using namespace cabinet_articulation;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/joints/front_merge.h"
+#include "joints/front_merge.h"
 
 #include <gmock/gmock.h>
 

@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "cabinet_articulation/joints/model_file.h"
-#include "cabinet_articulation/joints/removed_fronts.h"
 #include "joints/learned_fronts.h"
 #include "joints/model_folder.h"
+#include "joints/removed_fronts.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -48,8 +48,8 @@ TEST_F(ModelSaving, MergesAndLeavesNothingBehind) {
   KnownFront garage = learned(test::garageModel());
   test::setId(4, &garage);
   const SavedModels saved = saveModelFile(path_, {"map", {garage}});
-  EXPECT_EQ(saved.inWords(path_), "3 fronts saved to '" + path_ +
-                                      "', 2 of them as the file had them; front 4 of the file is front 5 now");
+  EXPECT_EQ(saved.inWords(path_),
+            "3 fronts saved to '" + path_ + "', 2 of them as the file had them; front 4 of the file is front 5 now");
   EXPECT_THAT(idsIn(path_), testing::ElementsAre(3, 4, 5));
   EXPECT_EQ(filesInFolder(), 1);
 }
@@ -98,8 +98,11 @@ TEST_F(ModelSaving, KeepsAFileOfAnotherFrameOrVersionBesideTheNewOne) {
 TEST_F(ModelSaving, NeverTouchesWhatIsNoModelFile) {
   for (const std::string notes : {"just some text\n", "", "a: [1, 2"}) {
     write(notes);
-    EXPECT_THAT([&] { saveModelFile(path_, {"map", {door()}}); },
-                ThrowsMessage<ModelFileError>(HasSubstr("it is left as it is, and nothing is saved")));
+    EXPECT_THAT(
+        [&] {
+          saveModelFile(path_, {"map", {door()}});
+        },
+        ThrowsMessage<ModelFileError>(HasSubstr("it is left as it is, and nothing is saved")));
     EXPECT_EQ(text(), notes);
     EXPECT_EQ(filesInFolder(), 1);
   }
@@ -117,8 +120,11 @@ TEST_F(ModelSaving, FollowsLinksAndLeavesThemLinks) {
   EXPECT_THAT(idsIn(target), testing::ElementsAre(3, 4));
   const fs::path loop = folder_ / "loop";
   fs::create_symlink("loop", loop);
-  EXPECT_THAT([&] { saveModelFile(loop, {"map", {door()}}); },
-              ThrowsMessage<ModelFileError>(HasSubstr("a link that leads nowhere")));
+  EXPECT_THAT(
+      [&] {
+        saveModelFile(loop, {"map", {door()}});
+      },
+      ThrowsMessage<ModelFileError>(HasSubstr("a link that leads nowhere")));
 }
 
 TEST_F(ModelSaving, WritesThroughNoLinkBesideTheFile) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "latest_worker.h"
+#include "nodelets/latest_worker.h"
 
 #include <gtest/gtest.h>
 

@@ -17,10 +17,10 @@
 #include <filesystem>
 #include <map>
 
-#include "cabinet_articulation/ros/simulation_conversions.h"
-#include "scene_bag.h"
+#include "ros/simulation_conversions.h"
 #include "support/ros_probe.h"
-#include "truth_comparison.h"
+#include "tools/scene_bag.h"
+#include "tools/truth_comparison.h"
 
 namespace cabinet_articulation {
 namespace {

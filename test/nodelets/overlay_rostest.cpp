@@ -7,7 +7,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "cabinet_articulation/ros/conversions.h"
-#include "cabinet_articulation/ros/model_drawing.h"
+#include "ros/model_drawing.h"
 #include "support/models.h"
 #include "support/ros_messages.h"
 #include "support/ros_probe.h"

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "rectifier.h"
 #include "support/ros_messages.h"
 #include "support/ros_probe.h"
+#include "tools/rectifier.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -24,6 +24,7 @@ LAYERS = {
     'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
+FOLDERS = [*LAYERS, 'ros', 'nodelets', 'tools']
 ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'
                          r'image_geometry|diagnostic_updater|pcl_ros|pcl_conversions|xmlrpcpp|\w+_msgs)/|^XmlRpc')
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
@@ -42,12 +43,24 @@ class Layers(unittest.TestCase):
             self.assertTrue(files, 'no sources in stage %s' % stage)
             for path in files:
                 for header in INCLUDE.findall(path.read_text()):
-                    own = re.match(PACKAGE + r'/(\w+)/', header)
+                    own = re.match('(?:%s/)?(%s)/' % (PACKAGE, '|'.join(FOLDERS)), header)
                     if own and own.group(1) not in allowed | {stage}:
                         wrong.append('%s: %s may not include %s' % (path.relative_to(ROOT), stage, header))
                     elif not own and (ROS_HEADERS.match(header) or header.startswith(PACKAGE + '/')):
                         wrong.append('%s: the core includes %s' % (path.relative_to(ROOT), header))
         self.assertEqual(wrong, [])
+
+    def test_public_headers_include_public_ones_alone(self):
+        for path in sources('include'):
+            for header in re.findall(r'^#include "(.*)"', path.read_text(), re.M):
+                self.assertTrue((ROOT / 'include' / header).is_file(), '%s includes %s' % (path.relative_to(ROOT), header))
+
+    def test_a_header_beside_its_source_hides_no_other(self):
+        """Both test/ and src/ are searched for "<folder>/x.h", and ROS's own headers are <ros/x.h>."""
+        own = {str(path.relative_to(ROOT / 'src')) for path in sources('src') if path.suffix == '.h'}
+        self.assertTrue(own)
+        for folder in (ROOT / 'test', Path('/usr/include'), Path('/opt/ros/noetic/include')):
+            self.assertEqual([name for name in sorted(own) if (folder / name).exists()], [], folder)
 
     def test_every_header_includes_once_and_every_source_has_a_licence(self):
         for path in sources('include', 'src', 'test', 'evaluation', 'benchmark'):

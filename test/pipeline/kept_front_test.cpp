@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core {
 namespace {

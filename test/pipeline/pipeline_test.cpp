@@ -10,8 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
+#include "geometry/degrees.h"
 
 namespace cabinet_articulation::core {
 namespace {

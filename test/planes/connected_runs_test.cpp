@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/connected_runs.h"
+#include "planes/connected_runs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/duplicate_merger.h"
+#include "planes/duplicate_merger.h"
 
 #include <gtest/gtest.h>
 

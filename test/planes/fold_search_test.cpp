@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/fold_search.h"
+#include "planes/fold_search.h"
 
 #include <gtest/gtest.h>
 

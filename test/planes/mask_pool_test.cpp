@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/mask_pool.h"
+#include "planes/mask_pool.h"
 
 #include <gtest/gtest.h>
 

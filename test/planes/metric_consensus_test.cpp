@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/metric_consensus.h"
+#include "planes/metric_consensus.h"
 
 #include <gtest/gtest.h>
 
-#include "cabinet_articulation/geometry/degrees.h"
+#include "geometry/degrees.h"
 #include "stereo/synthetic_pair.h"
 
 namespace cabinet_articulation::core {

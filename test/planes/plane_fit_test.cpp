@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/plane_fit.h"
+#include "planes/plane_fit.h"
 
 #include <gtest/gtest.h>
 

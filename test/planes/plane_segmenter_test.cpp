@@ -6,9 +6,9 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "cabinet_articulation/geometry/degrees.h"
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
+#include "geometry/degrees.h"
 #include "stereo/synthetic_pair.h"
 
 namespace cabinet_articulation::core {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/planes/region_growing.h"
+#include "planes/region_growing.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "cabinet_articulation/planes/fold_search.h"
-#include "cabinet_articulation/planes/region_competition.h"
+#include "planes/fold_search.h"
+#include "planes/region_competition.h"
 #include "stereo/synthetic_pair.h"
 
 namespace cabinet_articulation::core {

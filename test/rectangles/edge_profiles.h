@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "cabinet_articulation/rectangles/edge_profile.h"
+#include "rectangles/edge_profile.h"
 
 namespace cabinet_articulation::core {
 

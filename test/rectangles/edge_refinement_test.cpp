@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/edge_refinement.h"
+#include "rectangles/edge_refinement.h"
 
 #include <gtest/gtest.h>
 

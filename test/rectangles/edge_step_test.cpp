@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/edge_step.h"
+#include "rectangles/edge_step.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/plane_chart.h"
+#include "rectangles/plane_chart.h"
 
 #include <gtest/gtest.h>
 
-#include "cabinet_articulation/rectangles/image_edge.h"
 #include "front_scene.h"
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/plane_refit.h"
+#include "rectangles/plane_refit.h"
 
 #include <gtest/gtest.h>
 

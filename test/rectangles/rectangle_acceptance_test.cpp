@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/rectangle_acceptance.h"
+#include "rectangles/rectangle_acceptance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/rectangle_covariance.h"
+#include "rectangles/rectangle_covariance.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <random>
 
-#include "cabinet_articulation/rectangles/image_edge.h"
 #include "front_scene.h"
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/rectangles/rectangle_objective.h"
+#include "rectangles/rectangle_objective.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "cabinet_articulation/planes/plane_region.h"
-#include "cabinet_articulation/rectangles/image_spans.h"
+#include "rectangles/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pipeline in one object passes between its stages what messages would deliver, to the bit.
-#include "cabinet_articulation/pipeline/as_sent.h"
+#include "pipeline/as_sent.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "cabinet_articulation/geometry/message_precision.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation {
 namespace {

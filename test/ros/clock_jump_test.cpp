@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/clock_jump.h"
+#include "ros/clock_jump.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/markers.h"
+#include "ros/markers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/overlay.h"
+#include "ros/overlay.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "cabinet_articulation/ros/model_drawing.h"
+#include "ros/model_drawing.h"
 #include "support/models.h"
 
 namespace cabinet_articulation {

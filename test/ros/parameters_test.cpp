@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/parameters.h"
+#include "ros/parameters.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/ros/plane_messages.h"
+#include "ros/plane_messages.h"
 
 #include <gtest/gtest.h>
 

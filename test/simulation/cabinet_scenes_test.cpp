@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/simulation/cabinet_scenes.h"
+#include "simulation/cabinet_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/simulation/image_sensor.h"
+#include "simulation/image_sensor.h"
 
 #include <gtest/gtest.h>
 

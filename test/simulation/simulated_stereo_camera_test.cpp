@@ -10,7 +10,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "cabinet_articulation/simulation/cabinet_scenes.h"
+#include "simulation/cabinet_scenes.h"
 
 namespace cabinet_articulation::core {
 namespace {

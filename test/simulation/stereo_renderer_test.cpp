@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/simulation/stereo_renderer.h"
+#include "simulation/stereo_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "cabinet_articulation/geometry/degrees.h"
-#include "scene_bag.h"
+#include "geometry/degrees.h"
+#include "tools/scene_bag.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectifier.h"
+#include "tools/rectifier.h"
 
 #include <gtest/gtest.h>
 

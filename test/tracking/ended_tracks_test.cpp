@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/ended_tracks.h"
+#include "tracking/ended_tracks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cabinet_articulation/tracking/front_size.h"
+#include "tracking/front_size.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Fronts of an earlier run or of another tracker, whose clocks may have been others, and fronts that are forgotten.
 #include <gtest/gtest.h>
 
-#include "cabinet_articulation/tracking/ended_tracks.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
+#include "tracking/ended_tracks.h"
 #include "tracking/synthetic_fronts.h"
 
 namespace cabinet_articulation::core {

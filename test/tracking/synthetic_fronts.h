@@ -8,9 +8,9 @@
 #include <random>
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
-#include "cabinet_articulation/tracking/motion_gate.h"
-#include "cabinet_articulation/tracking/placement.h"
 #include "cabinet_articulation/tracking/track.h"
+#include "tracking/motion_gate.h"
+#include "tracking/placement.h"
 
 namespace cabinet_articulation::core {
 

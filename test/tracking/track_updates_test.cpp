@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cabinet_articulation/tracking/history.h"
+#include "tracking/history.h"
 #include "tracking/synthetic_fronts.h"
 
 namespace cabinet_articulation::core {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "cabinet_articulation/joints/joint.h"
@@ -14,6 +17,14 @@ struct KnownFront {
   LearnedModel model;
   Track track;
 };
+
+/// A front that got another id, because that was taken or was none.
+struct IdChange {
+  std::uint32_t from = 0, to = 0;
+};
+
+/// "front 3 of the file is front 7 now", for all of them; empty if there are none.
+std::string inWords(const std::vector<IdChange>& changes);
 
 /// Observations that are kept of a front out of view, or in a file: enough for the fits, which use no more themselves.
 constexpr int kKeptObservations = 200;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "cabinet_articulation/joints/front_merge.h"
 #include "cabinet_articulation/joints/known_fronts.h"
 
 namespace cabinet_articulation::core {
@@ -24,11 +24,11 @@ struct ModelFile {
 
 /// How saving went.
 struct SavedModels {
-  std::size_t fronts = 0;         ///< that the file holds now
-  std::size_t from_file = 0;      ///< so many of them are as the file had them
-  std::vector<IdChange> changes;  ///< of the file's fronts
+  std::size_t fronts = 0;                    ///< that the file holds now
+  std::size_t from_file = 0;                 ///< so many of them are as the file had them
+  std::vector<IdChange> changes;             ///< of the file's fronts
   std::vector<IdChange> known_changes = {};  ///< of those whose ids a file cannot hold
-  std::string kept = {};               ///< why the file that was there could not be merged, and where it is; or empty
+  std::string kept = {};                     ///< why the file that was there could not be merged, and where it is; or empty
 
   /// "3 fronts saved to 'FILE', 1 of them ...".
   std::string inWords(const std::string& file) const;
@@ -41,9 +41,10 @@ struct SavedModels {
  * a process that dies). What a saver that died has left behind is cleared away by the next.
  */
 
-/// Merges the models into what the file holds (mergeFronts), without what was `removed`. A model file that cannot be merged,
-/// because it is damaged, of another version or in another frame, is kept beside the new one as FILE.kept-1 (or the next
-/// number that is free, up to 100). Throws ModelFileError; also for what is there and is no model file, and stays as it is.
+/// Merges the models into what the file holds, without what was `removed`. Of two fronts in one place that of `models` stays,
+/// unless the file's is much better known. A model file that cannot be merged, because it is damaged, of another version or in
+/// another frame, is kept beside the new one as FILE.kept-1 (or the next number that is free, up to 100). Throws
+/// ModelFileError; also for what is there and is no model file, and stays as it is.
 SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<LearnedModel>& removed = {});
 
 /// Takes the fronts of these places from the file, and returns how many there were. A file that is missing or in another frame

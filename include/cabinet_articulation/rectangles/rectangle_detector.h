@@ -8,7 +8,6 @@
 #include "cabinet_articulation/planes/plane_region.h"
 #include "cabinet_articulation/planes/planes_config.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
-#include "cabinet_articulation/rectangles/edge_refinement.h"
 #include "cabinet_articulation/rectangles/rectangles_config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
@@ -16,6 +15,7 @@ namespace cabinet_articulation::core {
 
 struct RectangleCandidate;
 struct SupportedRectangle;
+struct Surroundings;
 
 /// Paper III-B.2: at most one rectangle in each plane region.
 class RectangleDetector {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "cabinet_articulation/tracking/ended_tracks.h"
 #include "cabinet_articulation/tracking/expected_fronts.h"
-#include "cabinet_articulation/tracking/track_memory.h"
 #include "cabinet_articulation/tracking/tracking_config.h"
 
 namespace cabinet_articulation::core {
+
+class EndedTracks;
+struct RememberedTracks;
+struct TrackMemory;
 
 /// Paper III-C: joins the rectangles of successive frames into tracks, one per physical front.
 ///
@@ -23,6 +27,7 @@ class RectangleTracker {
  public:
   /// Throws ConfigError.
   explicit RectangleTracker(const TrackingConfig& config);
+  ~RectangleTracker();
 
   /// One frame: rectangles in the fixed frame, seen at `stamp` [s]. Returns the live tracks, ordered by id; the
   /// reference is valid until the next call. A stamp that is not newer than the last frame's is ignored (the tracks are
@@ -30,7 +35,7 @@ class RectangleTracker {
   /// area or with a pose that is no rotation are ignored.
   const std::vector<Track>& process(double stamp, const std::vector<DetectedRectangle>& rectangles);
 
-  const std::vector<Track>& tracks() const { return live_.tracks; }
+  const std::vector<Track>& tracks() const;
 
   /// Fronts with the size of their track, for the detector's track-guided fit. Only those that were confirmed, are not
   /// lost, and whose size has been observed: a wrong size that is searched for is found again and again.
@@ -70,8 +75,8 @@ class RectangleTracker {
   void startTracks(double stamp, std::vector<DetectedRectangle> unclaimed);
 
   TrackingConfig config_;
-  RememberedTracks live_;
-  EndedTracks ended_;
+  std::unique_ptr<RememberedTracks> live_;
+  std::unique_ptr<EndedTracks> ended_;
   double last_stamp_;
   std::uint32_t next_id_ = 1;  ///< 0 is nobody; after the last one of 32 bits it begins anew with what is free
 };
