@@ -20,7 +20,7 @@ void LimitReporter::ReportRuns(const std::vector<Run>& runs) {
   if (runs.at(0).run_type != Run::RT_Iteration) return;  // means and the like
   const Run& best = *std::min_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return timeOf(a) < timeOf(b); });
   ConsoleReporter::ReportRuns({best});
-  if (best.error_occurred) return;
+  if (timeOf(best) == 0) return;  // it was skipped
   constexpr double kMilliseconds = 1e3;
   const std::string& args = best.run_name.args;
   shortest_[best.run_name.function_name + (args.empty() ? "" : "/" + args)] =

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what building, testing and running needs: Debian's own packages on Debian 12, rosdep on Ubuntu with ROS.
+# Installs what building, testing and running needs: Debian's own packages on Debian 11 to 13 and Ubuntu 22.04 and 24.04 (there
+# from universe), rosdep on Ubuntu 20.04 with ROS Noetic.
 # Does nothing when everything is there. Uses sudo when not root.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -7,9 +8,10 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi; }
 
+# All of these systems know all of these names.
 debian_packages=(
   # compilers and test tools
-  g++ make cmake libgtest-dev libgmock-dev python3-nose catkin catkin-lint git ca-certificates
+  g++ make cmake libgtest-dev libgmock-dev python3-pytest catkin catkin-lint git ca-certificates
   # ROS 1; the ros-*-msgs packages hold the .msg files that the message generator needs
   libroscpp-dev rosbash python3-roslaunch python3-roswtf python3-rosnode python3-rosservice python3-rosmsg python3-rostopic
   librostest-dev python3-rostest libroslib-dev
@@ -26,8 +28,8 @@ debian_packages=(
   ros-message-generation ros-message-runtime ros-std-msgs ros-geometry-msgs ros-sensor-msgs ros-stereo-msgs
   ros-visualization-msgs ros-diagnostic-msgs ros-std-srvs ros-tf2-msgs libstd-srvs-dev python3-std-srvs
   libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
-  # libraries
-  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev libtinyxml-dev
+  # libraries; TinyXML or TinyXML-2 comes with urdfdom, which hands out its documents
+  libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev
   # benchmarks, and the figures of the evaluation
   libbenchmark-dev python3-matplotlib
 )
@@ -38,28 +40,29 @@ install_debian() {
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return
-  echo "installing ${#missing[@]} Debian packages"
+  echo "installing ${#missing[@]} packages"
   as_root apt-get update -q
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
 }
 
-install_ubuntu() {
+install_noetic() {
   if [ ! -d /opt/ros/noetic ]; then
     echo "expected ROS Noetic in /opt/ros/noetic; see http://wiki.ros.org/noetic/Installation/Ubuntu" >&2
     exit 1
   fi
   as_root apt-get update -q
-  as_root apt-get install -y -q --no-install-recommends g++ make cmake python3-rosdep python3-nose python3-catkin-lint
+  as_root apt-get install -y -q --no-install-recommends \
+    g++ make cmake libgtest-dev libgmock-dev python3-pytest python3-rosdep python3-catkin-lint
   [ -d /etc/ros/rosdep/sources.list.d ] || as_root rosdep init
   rosdep update --rosdistro noetic
   rosdep install --from-paths "$here/.." --ignore-src --rosdistro noetic -y
 }
 
-case "$ID-$VERSION_ID" in
-  debian-12) install_debian ;;
-  ubuntu-20.04) install_ubuntu ;;
+case "$ID-${VERSION_ID:-}" in
+  debian-11 | debian-12 | debian-13 | ubuntu-22.04 | ubuntu-24.04) install_debian ;;
+  ubuntu-20.04) install_noetic ;;
   *)
-    echo "this script knows Debian 12 and Ubuntu 20.04 with ROS Noetic, and this is $PRETTY_NAME;" \
+    echo "this script knows Debian 11, 12 and 13 and Ubuntu 20.04, 22.04 and 24.04, and this is $PRETTY_NAME;" \
       "install the dependencies of package.xml by rosdep" >&2
     exit 1
     ;;

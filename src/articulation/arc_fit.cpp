@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/arc_fit.h"
 
-#include <ceres/tiny_solver.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "articulation/arc_problem.h"
 #include "articulation/noise_estimate.h"
+#include "articulation/tiny_solver.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -39,8 +38,8 @@ class Fitter {
 
   Fitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
     // One step at a time: scales and correlations change with every step, and so does the base of the increments.
+    solver_.options = optionsWithoutLeastGain<ceres::TinySolver<Problem>>();
     solver_.options.max_num_iterations = 1 + kDampings;
-    solver_.options.function_tolerance = 0;
     solver_.options.initial_trust_region_radius = kTrustRegion;
     solver_.options.gradient_tolerance = 1e-9;
   }

@@ -30,8 +30,8 @@ void requireSideOrUnknown(const char* element, double value) {
 }
 
 void requireWithin(const char* element, const Eigen::Vector3d& position, const Limit& limit) {
-  for (const double coordinate : position) {
-    if (isWithin(coordinate, limit)) continue;
+  for (int i = 0; i < position.size(); ++i) {
+    if (isWithin(position[i], limit)) continue;
     std::ostringstream text;
     text << '(' << position.x() << ", " << position.y() << ", " << position.z() << ')';
     refuse(element, text.str(), limit);

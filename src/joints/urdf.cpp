@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/joints/urdf.h"
 
-#include <tinyxml.h>
-#include <urdf_model/model.h>
-#include <urdf_parser/urdf_parser.h>
-
 #include <boost/locale/utf.hpp>
 #include <cstdio>
 #include <memory>
 
 #include "articulation/model_registry.h"
+#include "joints/urdf_document.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -109,10 +106,10 @@ class Description {
   }
 
   std::string text() const {
-    const std::unique_ptr<TiXmlDocument> document(urdf::exportURDF(description_));
-    TiXmlPrinter printer;
+    const std::unique_ptr<UrdfDocument> document(urdf::exportURDF(description_));
+    UrdfPrinter printer;
     document->Accept(&printer);
-    return printer.Str();
+    return printer.CStr();
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "planes/disparity_tolerance.h"
 #include "planes/plane_fit.h"
@@ -54,6 +55,9 @@ __attribute__((target_clones("avx2", "default"))) int countInliers(const Pixels&
 /// measured along the disparity and relative to each pixel's tolerance, so that PCL's threshold is 1.
 class PlaneConsensus::Model : public pcl::SampleConsensusModelPlane<Point> {
  public:
+  /// std::size_t, but int in PCL 1.10.
+  using Count = decltype(std::declval<const SampleConsensusModelPlane&>().countWithinDistance(Eigen::VectorXf(), 0));
+
   Model() : SampleConsensusModelPlane(PointCloudPtr(new PointCloud)) {}
 
   void setFrame(const DepthFrame& frame, const PlanesConfig& config);
@@ -62,7 +66,7 @@ class PlaneConsensus::Model : public pcl::SampleConsensusModelPlane<Point> {
 
   void getSamples(int& iterations, std::vector<int>& samples) override;
   bool computeModelCoefficients(const std::vector<int>& samples, Eigen::VectorXf& model) const override;
-  std::size_t countWithinDistance(const Eigen::VectorXf& model, const double) const override {
+  Count countWithinDistance(const Eigen::VectorXf& model, const double) const override {
     return countInliers(pixels_, model[0], model[1], model[3]);
   }
   void selectWithinDistance(const Eigen::VectorXf& model, const double, std::vector<int>& inliers) override;
@@ -173,11 +177,11 @@ void PlaneConsensus::Model::optimizeModelCoefficients(const std::vector<int>& in
 
 /// Kept between frames, for its vectors.
 struct PlaneConsensus::Search {
-  explicit Search(const PlanesConfig& config) : model(new Model), ransac(model, 1.0) {
+  explicit Search(const PlanesConfig& config) : model(new Model), ransac(pcl::SampleConsensusModel<Point>::Ptr(model), 1.0) {
     ransac.setMaxIterations(config.hypotheses);
     ransac.setProbability(config.confidence);
   }
-  std::shared_ptr<Model> model;
+  Model* const model;  ///< belongs to `ransac`, by PCL's own kind of pointer: Boost's in PCL 1.10
   pcl::RandomSampleConsensus<Point> ransac;
   std::vector<int> inliers;
 };

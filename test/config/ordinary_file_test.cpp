@@ -11,12 +11,14 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "support/throws_saying.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
 namespace fs = std::filesystem;
+using test::ThrowsSaying;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 constexpr std::size_t kMegabyte = 1U << 20U;
 
@@ -29,8 +31,8 @@ class OrdinaryFile : public testing::Test {
 
   /// By both ways, and none of them waits.
   static void expectRefused(const fs::path& path, const std::string& words) {
-    EXPECT_THAT([&] { readOrdinaryFile(path, kMegabyte); }, ThrowsMessage<std::runtime_error>(HasSubstr(words)));
-    EXPECT_THAT([&] { requireOrdinaryFile(path); }, ThrowsMessage<std::runtime_error>(HasSubstr(path.string() + ": " + words)));
+    EXPECT_THAT([&] { readOrdinaryFile(path, kMegabyte); }, ThrowsSaying<std::runtime_error>(HasSubstr(words)));
+    EXPECT_THAT([&] { requireOrdinaryFile(path); }, ThrowsSaying<std::runtime_error>(HasSubstr(path.string() + ": " + words)));
   }
 
   const fs::path folder_;
@@ -70,9 +72,9 @@ TEST_F(OrdinaryFile, HasABound) {
   EXPECT_EQ(readOrdinaryFile(folder_ / "file", kMegabyte).size(), kMegabyte);
   fs::resize_file(folder_ / "file", kMegabyte + 1);
   EXPECT_THAT([&] { readOrdinaryFile(folder_ / "file", kMegabyte); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("is larger than 1 MB")));
+              ThrowsSaying<std::runtime_error>(HasSubstr("is larger than 1 MB")));
   // Its size is said to be 0.
-  EXPECT_THAT([] { readOrdinaryFile("/proc/self/maps", 100); }, ThrowsMessage<std::runtime_error>(HasSubstr("is larger than")));
+  EXPECT_THAT([] { readOrdinaryFile("/proc/self/maps", 100); }, ThrowsSaying<std::runtime_error>(HasSubstr("is larger than")));
 }
 
 }  // namespace

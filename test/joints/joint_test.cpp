@@ -4,13 +4,14 @@
 #include <gmock/gmock.h>
 
 #include "support/models.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
+using test::ThrowsSaying;
 using testing::HasSubstr;
 using testing::Property;
-using testing::ThrowsMessage;
 
 TEST(Joint, IsWhatMovedAlongAPathThatAModelDescribes) {
   EXPECT_TRUE(isJoint(test::doorModel()));
@@ -28,15 +29,15 @@ TEST(Joint, IsNoneAnyMoreOnceAsMuchSpeaksAgainstItAsForIt) {
   EXPECT_FALSE(isJoint(door));
   EXPECT_TRUE(isGivenUp(door) && wasJoint(door));
   EXPECT_THAT([&] { requireJoint(door); },
-              ThrowsMessage<ModelError>(HasSubstr("front 3 was taken for a rotational joint, but as many observations")));
+              ThrowsSaying<ModelError>(HasSubstr("front 3 was taken for a rotational joint, but as many observations")));
 }
 
 TEST(Joint, RefusalSaysWhichFrontAndWhy) {
   EXPECT_NO_THROW(requireJoint(test::doorModel()));
   EXPECT_THAT([] { requireJoint(test::restingModel()); },
-              ThrowsMessage<ModelError>(HasSubstr("front 1 has not moved enough yet")));
+              ThrowsSaying<ModelError>(HasSubstr("front 1 has not moved enough yet")));
   EXPECT_THAT([] { requireJoint(test::unexplainedModel()); },
-              ThrowsMessage<ModelError>(HasSubstr("front 5 moved, but no joint type describes how")));
+              ThrowsSaying<ModelError>(HasSubstr("front 5 moved, but no joint type describes how")));
 }
 
 TEST(Joint, BaseOfADoorStandsOnItsHingeAndLooksAtTheFront) {

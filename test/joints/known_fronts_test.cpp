@@ -4,12 +4,13 @@
 #include <gmock/gmock.h>
 
 #include "support/models.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
+using test::ThrowsSaying;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 Track trackOf(const LearnedModel& model) {
   Track track;
@@ -27,9 +28,9 @@ void see(KnownFronts* known, const std::vector<LearnedModel>& models) {
 
 TEST(KnownFronts, SaysWhichFrontsThereAre) {
   KnownFronts known;
-  EXPECT_THAT([&] { known.at(7); }, ThrowsMessage<ModelError>(HasSubstr("no front 7; none was seen yet")));
+  EXPECT_THAT([&] { known.at(7); }, ThrowsSaying<ModelError>(HasSubstr("no front 7; none was seen yet")));
   see(&known, {test::restingModel(), test::doorModel()});
-  EXPECT_THAT([&] { known.at(7); }, ThrowsMessage<ModelError>("there is no front 7; the fronts known are 1, 3"));
+  EXPECT_THAT([&] { known.at(7); }, ThrowsSaying<ModelError>("there is no front 7; the fronts known are 1, 3"));
   EXPECT_EQ(known.at(3).type, JointType::kRotational);
 }
 
@@ -92,7 +93,7 @@ TEST(KnownFronts, AJointThatIsGivenUpIsKeptWithItsDoubtButAnswersNothing) {
   given_up.id = 3;
   given_up.doubt = 1;
   see(&known, {given_up});
-  EXPECT_THAT([&] { requireJoint(known.at(3)); }, ThrowsMessage<ModelError>(HasSubstr("was taken for a rotational joint")));
+  EXPECT_THAT([&] { requireJoint(known.at(3)); }, ThrowsSaying<ModelError>(HasSubstr("was taken for a rotational joint")));
   ASSERT_EQ(known.joints().size(), 1u);
   EXPECT_EQ(known.joints()[0].model.doubt, 1);
   EXPECT_EQ(known.joints()[0].model.radius, test::doorModel().radius);
@@ -109,7 +110,7 @@ TEST(KnownFronts, ForgetsOneAndNoOther) {
   see(&known, {test::restingModel(), test::drawerModel()});
   EXPECT_EQ(known.forget(3).radius, test::doorModel().radius) << "out of view";
   EXPECT_EQ(known.forget(1).id, 1u) << "in view, and no joint";
-  EXPECT_THAT([&] { known.forget(3); }, ThrowsMessage<ModelError>("there is no front 3; the fronts known are 4"));
+  EXPECT_THAT([&] { known.forget(3); }, ThrowsSaying<ModelError>("there is no front 3; the fronts known are 4"));
   EXPECT_EQ(known.joints().size(), 1u);
 }
 

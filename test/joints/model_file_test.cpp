@@ -11,20 +11,21 @@
 #include "cabinet_articulation/joints/prediction.h"
 #include "joints/learned_fronts.h"
 #include "joints/model_folder.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 namespace fs = std::filesystem;
 using test::learned;
+using test::ThrowsSaying;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 class ModelFiles : public test::ModelFolder {
  protected:
   void expectRefused(const std::string& words) const {
-    EXPECT_THAT([&] { readModelFile(path_); }, ThrowsMessage<ModelFileError>(AllOf(HasSubstr(path_), HasSubstr(words))));
+    EXPECT_THAT([&] { readModelFile(path_); }, ThrowsSaying<ModelFileError>(AllOf(HasSubstr(path_), HasSubstr(words))));
   }
 };
 
@@ -214,18 +215,18 @@ TEST_F(ModelFiles, WhereNobodyCanWriteAreAnError) {
       [&] {
         saveModelFile((folder_ / "missing" / "kitchen.yaml").string(), {"map", {}});
       },
-      ThrowsMessage<ModelFileError>(HasSubstr("cannot be written: No such file or directory")));
+      ThrowsSaying<ModelFileError>(HasSubstr("cannot be written: No such file or directory")));
   EXPECT_THAT([&] { readModelFile((folder_ / "missing.yaml").string()); },
-              ThrowsMessage<ModelFileError>(HasSubstr("cannot be opened")));
+              ThrowsSaying<ModelFileError>(HasSubstr("cannot be opened")));
 }
 
 TEST_F(ModelFiles, AreOrdinaryFilesAndNothingElseIsOpened) {
   ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
   expectRefused("is a pipe, expected an ordinary file");  // and does not wait for somebody to write
-  EXPECT_THAT([&] { saveModelFile(path_, {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is left as it is")));
+  EXPECT_THAT([&] { saveModelFile(path_, {"map", {}}); }, ThrowsSaying<ModelFileError>(HasSubstr("is left as it is")));
   EXPECT_TRUE(fs::is_fifo(path_));
-  EXPECT_THAT([&] { readModelFile(folder_.string()); }, ThrowsMessage<ModelFileError>(HasSubstr("is a folder")));
-  EXPECT_THAT([&] { saveModelFile("/dev/null", {"map", {}}); }, ThrowsMessage<ModelFileError>(HasSubstr("is a device")));
+  EXPECT_THAT([&] { readModelFile(folder_.string()); }, ThrowsSaying<ModelFileError>(HasSubstr("is a folder")));
+  EXPECT_THAT([&] { saveModelFile("/dev/null", {"map", {}}); }, ThrowsSaying<ModelFileError>(HasSubstr("is a device")));
 }
 
 }  // namespace

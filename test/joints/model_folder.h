@@ -42,8 +42,7 @@ class ModelFolder : public testing::Test {
   }
 
   int filesInFolder() const {
-    return static_cast<int>(
-        std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
   }
 
   const std::filesystem::path folder_;

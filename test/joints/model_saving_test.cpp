@@ -14,15 +14,16 @@
 #include "joints/learned_fronts.h"
 #include "joints/model_folder.h"
 #include "joints/removed_fronts.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 namespace fs = std::filesystem;
 using test::learned;
+using test::ThrowsSaying;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 class ModelSaving : public test::ModelFolder {
  protected:
@@ -102,7 +103,7 @@ TEST_F(ModelSaving, NeverTouchesWhatIsNoModelFile) {
         [&] {
           saveModelFile(path_, {"map", {door()}});
         },
-        ThrowsMessage<ModelFileError>(HasSubstr("it is left as it is, and nothing is saved")));
+        ThrowsSaying<ModelFileError>(HasSubstr("it is left as it is, and nothing is saved")));
     EXPECT_EQ(text(), notes);
     EXPECT_EQ(filesInFolder(), 1);
   }
@@ -124,7 +125,7 @@ TEST_F(ModelSaving, FollowsLinksAndLeavesThemLinks) {
       [&] {
         saveModelFile(loop, {"map", {door()}});
       },
-      ThrowsMessage<ModelFileError>(HasSubstr("a link that leads nowhere")));
+      ThrowsSaying<ModelFileError>(HasSubstr("a link that leads nowhere")));
 }
 
 TEST_F(ModelSaving, WritesThroughNoLinkBesideTheFile) {

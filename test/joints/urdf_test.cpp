@@ -6,12 +6,13 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include "support/models.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
+using test::ThrowsSaying;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 constexpr double kPrecision = 1e-5;  // URDF is written with six digits
 
@@ -86,9 +87,9 @@ TEST(Urdf, PanelHasTheFrontsSizeAndLiesBehindItsSurface) {
 }
 
 TEST(Urdf, RefusesWhatIsNoJointInUrdf) {
-  EXPECT_THAT([] { parse({test::restingModel()}); }, ThrowsMessage<ModelError>(HasSubstr("has not moved enough yet")));
+  EXPECT_THAT([] { parse({test::restingModel()}); }, ThrowsSaying<ModelError>(HasSubstr("has not moved enough yet")));
   EXPECT_THAT([] { parse({test::garageModel()}); },
-              ThrowsMessage<ModelError>(HasSubstr("URDF has only prismatic and rotational")));
+              ThrowsSaying<ModelError>(HasSubstr("URDF has only prismatic and rotational")));
   EXPECT_FALSE(hasUrdf(test::garageModel()));
   EXPECT_TRUE(hasUrdf(test::doorModel()));
 }
@@ -99,20 +100,23 @@ TEST(Urdf, NamesAreWhatXmlCanHold) {
   for (const std::string frame : {"a<b>&\"'c", "k\u00fcche", "\U0001F6AA"}) EXPECT_EQ(rootOf(frame), frame);
   for (const char* const frame : {"x\x01y", "x\x1fy", "x\xffy", "x\xed\xa0\x80y", "x\xef\xbf\xbey"})
     EXPECT_THAT([&] { toUrdf(door, frame, "cabinet"); },
-                ThrowsMessage<ModelError>(HasSubstr("which a URDF cannot hold; expected printable UTF-8")))
+                ThrowsSaying<ModelError>(HasSubstr("which a URDF cannot hold; expected printable UTF-8")))
         << frame;
   EXPECT_THAT([&] { toUrdf(door, std::string("x\0y", 3), "cabinet"); },
-              ThrowsMessage<ModelError>(HasSubstr("the frame of the models has the byte 0x00 at position 2")));
+              ThrowsSaying<ModelError>(HasSubstr("the frame of the models has the byte 0x00 at position 2")));
   EXPECT_THAT([&] { toUrdf(door, "odom", "a\x02"); },
-              ThrowsMessage<ModelError>(HasSubstr("the prefix of the names has the byte 0x02 at position 2")));
-  EXPECT_THAT([&] { toUrdf(door, "", "cabinet"); }, ThrowsMessage<ModelError>(HasSubstr("has no name")));
+              ThrowsSaying<ModelError>(HasSubstr("the prefix of the names has the byte 0x02 at position 2")));
+  EXPECT_THAT([&] { toUrdf(door, "", "cabinet"); }, ThrowsSaying<ModelError>(HasSubstr("has no name")));
 }
 
 TEST(Urdf, NamesAreThereOnce) {
-  EXPECT_THAT([] { parse({test::doorModel(), test::doorModel()}); },
-              ThrowsMessage<ModelError>(HasSubstr("there are two links 'cabinet_3_base'")));
+  EXPECT_THAT(
+      [] {
+        parse({test::doorModel(), test::doorModel()});
+      },
+      ThrowsSaying<ModelError>(HasSubstr("there are two links 'cabinet_3_base'")));
   EXPECT_THAT([] { toUrdf({test::doorModel()}, "cabinet_3_front", "cabinet"); },
-              ThrowsMessage<ModelError>(HasSubstr("there are two links 'cabinet_3_front'")));
+              ThrowsSaying<ModelError>(HasSubstr("there are two links 'cabinet_3_front'")));
 }
 
 }  // namespace

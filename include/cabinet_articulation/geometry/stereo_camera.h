@@ -9,13 +9,13 @@ namespace cabinet_articulation::core {
 /// A rectified pair of pinhole cameras. The frame is the left optical frame: x right, y down, z forward.
 /// A depth camera is described by the same model: its depth is turned into the disparity of a virtual right camera.
 struct StereoCamera {
-  int width = 0;           ///< [px]
-  int height = 0;          ///< [px]
-  double fx = 0;           ///< [px]
-  double fy = 0;           ///< [px]
-  double cx = 0;           ///< [px] principal point of the left camera
-  double cy = 0;           ///< [px]
-  double baseline = 0;     ///< [m] positive, right camera at +x
+  int width = 0;             ///< [px]
+  int height = 0;            ///< [px]
+  double fx = 0;             ///< [px]
+  double fy = 0;             ///< [px]
+  double cx = 0;             ///< [px] principal point of the left camera
+  double cy = 0;             ///< [px]
+  double baseline = 0;       ///< [m] positive, right camera at +x
   double cx_difference = 0;  ///< [px] cx of the left minus cx of the right camera
 
   /// From the 3x4 projection matrices P of the two CameraInfos (row-major).
