@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace cabinet_articulation::core::test {
+namespace cabinet_articulation::test {
 
 /// A function that throws an Exception whose message matches.
 template <class Exception>
@@ -47,4 +47,4 @@ testing::PolymorphicMatcher<ThrowsSayingMatcher<Exception>> ThrowsSaying(const t
   return testing::MakePolymorphicMatcher(ThrowsSayingMatcher<Exception>(message));
 }
 
-}  // namespace cabinet_articulation::core::test
+}  // namespace cabinet_articulation::test
