@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_sanitizers.sh [address|thread]: installs what is missing, builds the package anew with gcc's sanitizers in
-# build_<sanitizer>/, and runs its tests and tools; without an argument, one sanitizer after the other.
+# build/<sanitizer>/, for devel_<sanitizer>/, and runs its tests and tools; without an argument, one sanitizer after the other.
 #
 # address: AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer on all tests (some replay bags) and on the tools.
 # thread: ThreadSanitizer on all tests, most of them with the nodelets in one manager; see not_run_thread for what is left out.
@@ -24,8 +24,7 @@ settings=$root/test/sanitizers
 # By their names in make's targets. With a sanitizer, a program is 2 to 20 times slower. So tests that must be through in a given
 # time are run for what they report, and their own verdict does not count; those that compare times are not run, nor is the one
 # that puts a count of its own in malloc's place.
-unjudged_address=()
-unjudged_thread=(
+unjudged=(
   end_to_end.test end_to_end__scene_drawer.test end_to_end__scene_static.test end_to_end__scene_door__input_disparity.test
   end_to_end__scene_drawer__input_depth.test end_to_end__scene_kitchen__camera_motion_true.test
   two_cameras.test two_cameras__one_manager_true.test looped_bag.test nodes.test two_managers.test realsense.test operator.test
@@ -54,25 +53,25 @@ build_with() {
   local flags=flags_$1 runtime= include=() library=()
   if [ -d /opt/ros/noetic ]; then include=(-I/opt/ros/noetic/include) library=(-L/opt/ros/noetic/lib); fi
   local compile=(g++ -std=c++17 ${!flags} "${include[@]}")
-  mkdir -p "$build/devel/lib/nodelet"
+  mkdir -p "$build" "$devel/lib/nodelet"
   if [ "$1" = thread ]; then
     runtime=$build/libthread_runtime.so
     "${compile[@]}" -fno-visibility-inlines-hidden -fPIC -shared "$settings/thread_runtime.cpp" -lopencv_core -o "$runtime" ||
       return 1
   fi
   # The linker puts the runtime before all other libraries of a program.
-  configure "$build" "$build/devel" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="${!flags}" \
+  configure "$build" "$devel" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="${!flags}" \
     -DCMAKE_EXE_LINKER_FLAGS="$runtime" || return 1
   make -C "$build" -j"$(nproc)" --no-print-directory all tests || return 1
   # roslaunch finds this program `nodelet` first. Reports name our functions only if the library is there from the start.
-  "${compile[@]}" -DROS_NODELET="\"$ros_nodelet\"" "$settings/nodelet_manager.cpp" $runtime -o "$build/devel/lib/nodelet/nodelet" \
-    "${library[@]}" -lnodeletlib -lroscpp -lrosconsole -lrostime -L"$build/devel/lib" -Wl,-rpath,"$build/devel/lib" \
+  "${compile[@]}" -DROS_NODELET="\"$ros_nodelet\"" "$settings/nodelet_manager.cpp" $runtime -o "$devel/lib/nodelet/nodelet" \
+    "${library[@]}" -lnodeletlib -lroscpp -lrosconsole -lrostime -L"$devel/lib" -Wl,-rpath,"$devel/lib" \
     -Wl,--no-as-needed -lcabinet_articulation_nodelets
 }
 
 # The tools as a user runs them, on small inputs. The tests run some of them too, and export_urdf.
 run_tools() {
-  local tools=$build/devel/lib/cabinet_articulation input
+  local tools=$devel/lib/cabinet_articulation input
   rm -rf "$build/tools"
   mkdir "$build/tools"
   cd "$build/tools"
@@ -114,7 +113,7 @@ run_tests() {
 # Everything that was built; all processes put their reports into files. Its status tells nothing of tests that failed.
 run_all() (
   set +eu
-  . "$build/devel/setup.sh"
+  . "$devel/setup.sh"
   export ASAN_OPTIONS="log_path=$reports/$1:handle_abort=1" UBSAN_OPTIONS="log_path=$reports/$1:print_stacktrace=1"
   export LSAN_OPTIONS="suppressions=$suppressions_address:print_suppressions=0"
   export TSAN_OPTIONS="log_path=$reports/$1:suppressions=$suppressions_thread:print_suppressions=0:history_size=7:handle_abort=1"
@@ -142,8 +141,8 @@ count_reports() {
 
 # Prints what went wrong, and adds to the verdict. False if anything did.
 check() {
-  local build=$root/build_$1 reports=$root/build_$1/reports status=0 tests count
-  local -n not_run=not_run_$1 unjudged=unjudged_$1 supp=suppressions_$1
+  local build=$root/build/$1 devel=$root/devel_$1 reports=$root/build/$1/reports status=0 tests count
+  local -n not_run=not_run_$1 supp=suppressions_$1
   if ! build_with "$1"; then
     verdict+=("$1: the build failed")
     return 1
