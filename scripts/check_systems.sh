@@ -37,7 +37,7 @@ done
 [ -x "$(command -v debootstrap)" ] || refuse "debootstrap is missing: apt-get install debootstrap"
 
 mirror=${MIRROR:-$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
-  awk '/^(URIs:|deb) / { for (i = 2; i <= NF; ++i) if ($i ~ /^http.*\/debian\/?$/) { print $i; exit } }')}
+  awk '/^(URIs:|deb )/ { for (i = 2; i <= NF; ++i) if ($i ~ "^https?://.*/debian/?$") print $i }' | head -n 1)} || true
 mirror=${mirror:-http://deb.debian.org/debian}
 
 # A minimal root of a suite of Debian, with what the network of this machine asks for.

@@ -51,10 +51,10 @@ install_noetic() {
     exit 1
   fi
   as_root apt-get update -q
-  as_root apt-get install -y -q --no-install-recommends \
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
     g++ make cmake libgtest-dev libgmock-dev python3-pytest python3-rosdep python3-catkin-lint
   [ -d /etc/ros/rosdep/sources.list.d ] || as_root rosdep init
-  rosdep update --rosdistro noetic
+  rosdep update --include-eol-distros --rosdistro noetic
   rosdep install --from-paths "$here/.." --ignore-src --rosdistro noetic -y
 }
 
