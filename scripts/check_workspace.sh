@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# check_workspace.sh: installs what is missing, and does in build_workspace/ what users of a catkin workspace do: catkin_make with
-# this package and another one that uses it (test/downstream/kitchen_watcher), and catkin_make install. The other one then runs
-# in the devel space and in the install space. Takes as long as building anew; the last line says how it went.
+# check_workspace.sh: installs what is missing, and does what users of a catkin workspace do: catkin_make with this package and
+# another one that uses it (test/downstream/kitchen_watcher), and catkin_make install. The other one then runs in the devel
+# space and in the install space. Takes as long as building anew; the last line says how it went. The workspace stays in
+# $XDG_CACHE_HOME/cabinet_articulation/workspace: in the source tree, ROS would find all files twice.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/ros_environment.sh"
-workspace=$root/build_workspace
+workspace=${XDG_CACHE_HOME:-$HOME/.cache}/cabinet_articulation/workspace
 
 mkdir -p "$workspace/src"
 ln -sfn "$root" "$workspace/src/cabinet_articulation"

@@ -60,6 +60,11 @@ class Running:
 
 def install():
     """What `make install` does, without building anything."""
-    shutil.rmtree(str(INSTALL), ignore_errors=True)
+    uninstall()
     SCRATCH.mkdir(exist_ok=True)
     subprocess.run(['cmake', '--install', str(BUILD)], check=True, stdout=subprocess.DEVNULL, env=environment())
+
+
+def uninstall():
+    """The install space lies in the source tree, and roslaunch would find two of each launch file there."""
+    shutil.rmtree(str(INSTALL), ignore_errors=True)

@@ -9,7 +9,7 @@ import shutil
 import unittest
 from pathlib import Path
 
-from spaces import DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, install, run
+from spaces import DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, install, run, uninstall
 
 WATCHER = Path(__file__).resolve().parent / 'kitchen_watcher'
 
@@ -27,6 +27,10 @@ class Downstream(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         install()
+
+    @classmethod
+    def tearDownClass(cls):
+        uninstall()
 
     def learns(self, devel, library_folder):
         program = devel / 'lib/kitchen_watcher/kitchen_watcher'

@@ -5,7 +5,7 @@ import socket
 import unittest
 from pathlib import Path
 
-from spaces import BUILD, DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, Running, install, run
+from spaces import BUILD, DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, Running, install, run, uninstall
 
 SHARE = INSTALL / 'share' / PACKAGE
 PROGRAMS = INSTALL / 'lib' / PACKAGE
@@ -52,6 +52,10 @@ class InstallSpace(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         install()
+
+    @classmethod
+    def tearDownClass(cls):
+        uninstall()
 
     def test_nothing_refers_to_the_source_tree(self):
         trees = '|'.join(re.escape(str(tree)) for tree in (ROOT, BUILD, DEVEL))
