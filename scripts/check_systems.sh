@@ -46,7 +46,7 @@ base_root() {
   [ -d "$base" ] && return
   rm -rf "$base.new"
   debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$base.new" "$mirror" || return 1
-  cp -r /etc/apt/apt.conf.d/. "$base.new/etc/apt/apt.conf.d/" 2>/dev/null || true
+  apt-config dump | grep -iE '^Acquire::(https?::|Check-)' >"$base.new/etc/apt/apt.conf.d/90network" || true
   cp -r /usr/local/share/ca-certificates/. "$base.new/usr/local/share/ca-certificates/" 2>/dev/null || true
   cp /etc/ssl/certs/ca-certificates.crt "$base.new/etc/ssl/certs/" 2>/dev/null || true
   mv "$base.new" "$base"
