@@ -42,9 +42,9 @@ struct SavedModels {
  */
 
 /// Merges the models into what the file holds, without what was `removed`. Of two fronts in one place that of `models` stays,
-/// unless the file's is much better known. A model file that cannot be merged, because it is damaged, of another version or in
-/// another frame, is kept beside the new one as FILE.kept-1 (or the next number that is free, up to 100). Throws
-/// ModelFileError; also for what is there and is no model file, and stays as it is.
+/// unless the file's is much better known. A model file that is damaged, of another version or in another frame cannot be merged.
+/// It is kept beside the new one as FILE.kept-1 (or the next number that is free, up to 100). Throws ModelFileError; also for
+/// what is there and is no model file, and stays as it is.
 SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<LearnedModel>& removed = {});
 
 /// Takes the fronts of these places from the file, and returns how many there were. A file that is missing or in another frame
