@@ -18,7 +18,7 @@ configure() {
   shift 2
   # catkin sets the tests' PYTHONPATH when it configures, and leaves out what is not there yet.
   mkdir -p "$build" "$devel/lib/python3/dist-packages"
-  # What a shell has sourced of an earlier build is no part of what this one is built on, nor of its install space.
+  # An earlier build that the shell has sourced is no part of what this one is built on, nor of its install space.
   local below=:${CMAKE_PREFIX_PATH:-}:
   below=${below//:$devel:/:}
   below=${below#:}

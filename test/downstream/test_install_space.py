@@ -96,7 +96,8 @@ class InstallSpace(unittest.TestCase):
     def test_launch_files_are_complete(self):
         # description.launch asks a running pipeline, and is loaded below.
         files = [path for path in installed('share/%s/launch' % PACKAGE) if path.stem != 'description']
-        check = 'import sys; from roslaunch.rlutil import check_roslaunch as check; print([check(name, False, True) for name in sys.argv[1:]])'
+        check = ('import sys; from roslaunch.rlutil import check_roslaunch\n'
+                 'print([check_roslaunch(name, False, True) for name in sys.argv[1:]])')
         self.assertEqual(str([None] * len(files)), here('/usr/bin/python3', '-c', check, *files).splitlines()[-1])
 
     def test_tools_that_need_no_master(self):
