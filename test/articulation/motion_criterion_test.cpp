@@ -53,9 +53,13 @@ TEST(MotionCriterion, AWayOfAFewLargeStepsIsNotRestless) {
     track.observations.back().stamp = 10 + static_cast<double>(track.observations.size()) / 15;
     track.observations.back().covariance.diagonal() << 1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4;
     const LearnedModel model = learner.process({track}).at(0);
-    if (track.observations.size() >= 3) EXPECT_TRUE(model.moved) << track.observations.size() << " poses";
+    if (track.observations.size() >= 3) {
+      EXPECT_TRUE(model.moved) << track.observations.size() << " poses";
+    }
     const LearnedModel at_once = learn(track);
-    if (track.observations.size() >= 6) EXPECT_TRUE(at_once.moved) << track.observations.size() << " poses at once";
+    if (track.observations.size() >= 6) {
+      EXPECT_TRUE(at_once.moved) << track.observations.size() << " poses at once";
+    }
   }
 }
 

@@ -3,6 +3,7 @@ import os
 import shutil
 import signal
 import subprocess
+import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -58,13 +59,16 @@ class Running:
         return self.log.read_text()
 
 
-def install():
-    """What `make install` does, without building anything."""
-    uninstall()
-    SCRATCH.mkdir(exist_ok=True)
-    subprocess.run(['cmake', '--install', str(BUILD)], check=True, stdout=subprocess.DEVNULL, env=environment())
+class InstalledPackage(unittest.TestCase):
+    """Tests that need what `make install` installs. It is removed after them: it lies in the source tree, and roslaunch would
+    find two of each launch file there."""
 
+    @classmethod
+    def setUpClass(cls):
+        cls.tearDownClass()
+        SCRATCH.mkdir(exist_ok=True)
+        subprocess.run(['cmake', '--install', str(BUILD)], check=True, stdout=subprocess.DEVNULL, env=environment())
 
-def uninstall():
-    """The install space lies in the source tree, and roslaunch would find two of each launch file there."""
-    shutil.rmtree(str(INSTALL), ignore_errors=True)
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(str(INSTALL), ignore_errors=True)

@@ -9,7 +9,7 @@ import shutil
 import unittest
 from pathlib import Path
 
-from spaces import DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, install, run, uninstall
+from spaces import DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, InstalledPackage, run
 
 WATCHER = Path(__file__).resolve().parent / 'kitchen_watcher'
 
@@ -23,15 +23,7 @@ def build(space, name, *arguments):
     return workspace / 'devel'
 
 
-class Downstream(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        install()
-
-    @classmethod
-    def tearDownClass(cls):
-        uninstall()
-
+class Downstream(InstalledPackage):
     def learns(self, devel, library_folder):
         program = devel / 'lib/kitchen_watcher/kitchen_watcher'
         libraries = re.findall(r'lib%s_pipeline\.so => (\S+)' % PACKAGE, run(devel, 'ldd', program))

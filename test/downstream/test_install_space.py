@@ -5,7 +5,7 @@ import socket
 import unittest
 from pathlib import Path
 
-from spaces import BUILD, DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, Running, install, run, uninstall
+from spaces import BUILD, DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, InstalledPackage, Running, run
 
 SHARE = INSTALL / 'share' / PACKAGE
 PROGRAMS = INSTALL / 'lib' / PACKAGE
@@ -48,15 +48,7 @@ def free_port():
         return probe.getsockname()[1]
 
 
-class InstallSpace(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        install()
-
-    @classmethod
-    def tearDownClass(cls):
-        uninstall()
-
+class InstallSpace(InstalledPackage):
     def test_nothing_refers_to_the_source_tree(self):
         trees = '|'.join(re.escape(str(tree)) for tree in (ROOT, BUILD, DEVEL))
         named = re.compile((r'(?:%s)(?![\w.-])[\w./+-]*' % trees).encode())
