@@ -46,6 +46,7 @@ base_root() {
   [ -d "$base" ] && return
   rm -rf "$base.new"
   debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$base.new" "$mirror" || return 1
+  echo force-unsafe-io >"$base.new/etc/dpkg/dpkg.cfg.d/throwaway"
   apt-config dump | grep -iE '^Acquire::(https?::|Check-)' >"$base.new/etc/apt/apt.conf.d/90network" || true
   cp -r /usr/local/share/ca-certificates/. "$base.new/usr/local/share/ca-certificates/" 2>/dev/null || true
   cp /etc/ssl/certs/ca-certificates.crt "$base.new/etc/ssl/certs/" 2>/dev/null || true

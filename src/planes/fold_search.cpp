@@ -78,7 +78,8 @@ std::optional<FoldSearch::Halves> FoldSearch::bestLine(double angle) {
   const int middle = grid_.width + grid_.height;
   bins_.assign(2 * middle, PlaneFit());
   for (const int block : filled_) {
-    const double along = cos * (block % grid_.width) + sin * (block / grid_.width);
+    const int row = block / grid_.width, column = block % grid_.width;
+    const double along = cos * column + sin * row;
     bins_[middle + static_cast<int>(std::floor(along))].add(blocks_[block]);
   }
   before_.assign(1, PlaneFit());
