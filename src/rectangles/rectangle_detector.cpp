@@ -118,8 +118,8 @@ RectangleDetector::~RectangleDetector() = default;
 std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& frame, const std::vector<PlaneRegion>& regions,
                                                           const std::vector<Rectangle>& tracks) {
   assert(frame.camera.isSane());
-  assert(std::all_of(regions.begin(), regions.end(), isSane));
   requireSizes(frame, regions);
+  assert(std::all_of(regions.begin(), regions.end(), isSane));
   const std::vector<Rectangle> expected = config_.use_tracks ? tracks : std::vector<Rectangle>();
   std::vector<RectangleCandidate> candidates = search(frame.camera, regions, expected);
   if (config_.refine_planes) buffers_->plane_refit.process(frame, &candidates);

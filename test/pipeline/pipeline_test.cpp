@@ -12,6 +12,7 @@
 
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 #include "geometry/degrees.h"
+#include "pipeline/same_bits.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -90,27 +91,6 @@ TEST(Pipeline, JointsStayKnownWhenTimeIsSetBack) {
   EXPECT_GE(told, 3);
 }
 
-void expectSameBits(const PipelineResult& a, const PipelineResult& b) {
-  ASSERT_EQ(a.planes.size(), b.planes.size());
-  for (size_t k = 0; k < a.planes.size(); ++k) {
-    EXPECT_EQ(a.planes[k].plane.normal, b.planes[k].plane.normal);
-    EXPECT_EQ(a.planes[k].plane.offset, b.planes[k].plane.offset);
-    EXPECT_EQ(cv::norm(a.planes[k].mask, b.planes[k].mask, cv::NORM_INF), 0);
-  }
-  ASSERT_EQ(a.rectangles.size(), b.rectangles.size());
-  for (size_t k = 0; k < a.rectangles.size(); ++k) {
-    EXPECT_EQ(a.rectangles[k].rectangle.pose.matrix(), b.rectangles[k].rectangle.pose.matrix());
-    EXPECT_EQ(a.rectangles[k].covariance, b.rectangles[k].covariance);
-  }
-  ASSERT_EQ(a.models.size(), b.models.size());
-  for (size_t k = 0; k < a.models.size(); ++k) {
-    EXPECT_EQ(a.models[k].type, b.models[k].type);
-    EXPECT_EQ(a.models[k].axis, b.models[k].axis);
-    EXPECT_EQ(a.models[k].axis_point, b.models[k].axis_point);
-    EXPECT_EQ(a.models[k].covariance, b.models[k].covariance);
-  }
-}
-
 TEST(Pipeline, TheSameFramesGiveTheSameBits) {
   SimulatedStereoCamera simulation(doorAt(5));
   Pipeline first({}), second({});
@@ -122,33 +102,6 @@ TEST(Pipeline, TheSameFramesGiveTheSameBits) {
     const auto b = second.process(i, frame.left, frame.right, simulation.camera());
     expectSameBits(a, b);
   }
-}
-
-TEST(Pipeline, TheNumberOfThreadsChangesNoBit) {
-  SimulationConfig config = doorAt(5);
-  config.scene = "kitchen";
-  SimulatedStereoCamera simulation(config);
-  std::vector<StereoFrame> frames;
-  for (int i = 8; i < 14; ++i) frames.push_back(simulation.frame(i));
-  const auto run = [&](int threads) {
-    cv::setNumThreads(threads);
-    Pipeline pipeline({});
-    std::vector<PipelineResult> results;
-    for (size_t i = 0; i < frames.size(); ++i)
-      results.push_back(pipeline.process(i / config.rate, frames[i].left, frames[i].right, simulation.camera()));
-    return results;
-  };
-  const int before = cv::getNumThreads();
-  const std::vector<PipelineResult> expected = run(1);
-  ASSERT_FALSE(expected.back().rectangles.empty());
-  for (const int threads : {2, 4}) {
-    const std::vector<PipelineResult> results = run(threads);
-    for (size_t i = 0; i < frames.size(); ++i) {
-      EXPECT_EQ(cv::norm(results[i].frame.disparity, expected[i].frame.disparity, cv::NORM_INF), 0);
-      expectSameBits(results[i], expected[i]);
-    }
-  }
-  cv::setNumThreads(before);
 }
 
 /// The paper's own recipe finds large fronts that stand well off their surroundings.

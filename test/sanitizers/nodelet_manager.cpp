@@ -22,5 +22,7 @@ int main(int argc, char** argv) {
   if (!is_manager && !loader->load(ros::this_node::getName(), argv[2], ros::names::getRemappings(), {})) return 1;
   ros::spin();
   for (const std::string& name : loader->listLoadedNodelets()) loader->unload(name);
+  // As the last handle would, which the loader keeps.
+  ros::shutdown();
   return 0;
 }
