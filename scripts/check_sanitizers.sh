@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_sanitizers.sh [address|thread]: installs what is missing, builds the package anew with gcc's sanitizers in
-# build/<sanitizer>/, for devel_<sanitizer>/, and runs its tests and tools; without an argument, one sanitizer after the other.
+# build/<sanitizer>/ and runs its tests and tools; without an argument, one sanitizer after the other.
 #
 # address: AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer on all tests (some replay bags) and on the tools.
 # thread: ThreadSanitizer on all tests, most of them with the nodelets in one manager; see not_run_thread for what is left out.
@@ -143,7 +143,9 @@ count_reports() {
 
 # Prints what went wrong, and adds to the verdict. False if anything did.
 check() {
-  local build=$root/build/$1 devel=$root/devel_$1 reports=$root/build/$1/reports status=0 tests count
+  # rosrun asks which one is meant where the package's folder holds a program twice.
+  local devel=${XDG_CACHE_HOME:-$HOME/.cache}/cabinet_articulation/sanitizers/$1
+  local build=$root/build/$1 reports=$root/build/$1/reports status=0 tests count
   local -n not_run=not_run_$1 supp=suppressions_$1
   if ! build_with "$1"; then
     verdict+=("$1: the build failed")

@@ -34,8 +34,8 @@ cv::Mat1f makePattern(const SimulationConfig& config, const cv::Size& cells) {
 
 PinholeView PinholeView::scaled(double factor) const {
   const double shift = (factor - 1) / 2;
-  return {focal * factor, cx * factor + shift, cy * factor + shift, static_cast<int>(width * factor),
-          static_cast<int>(height * factor)};
+  return {focal * factor, cx * factor + shift, cy * factor + shift, static_cast<int>(std::ceil(width * factor)),
+          static_cast<int>(std::ceil(height * factor))};
 }
 
 TextureProjector::TextureProjector(const SimulationConfig& config)

@@ -18,7 +18,7 @@ struct PinholeView {
   int width = 0;
   int height = 0;
 
-  /// The same view with `factor` times as many pixels in each direction.
+  /// The same view with `factor` times as many pixels in each direction, the last ones perhaps beyond the view.
   PinholeView scaled(double factor) const;
 };
 

@@ -93,6 +93,19 @@ TEST(StereoRenderer, LightFallsOffWithDistanceAndAngle) {
   EXPECT_NEAR(at_1m, 0.8 * 0.52, 0.04) << "half of the squares are white";
 }
 
+/// Whatever the size of the squares: a shadow is looked up for every place in the pattern.
+TEST(StereoRenderer, TheShadowsReachToTheRimOfThePattern) {
+  for (double cell = 1.5; cell <= 40; cell += 0.1) {
+    SimulationConfig config;
+    config.pattern_cell = cell;
+    const TextureProjector projector(config);
+    const double scale = projector.shadowView().focal / projector.patternView().focal;
+    const auto nearest = [scale](int last) { return static_cast<int>(last * scale + (scale - 1) / 2 + 0.5); };
+    EXPECT_LT(nearest(projector.patternView().width - 1), projector.shadowView().width) << cell;
+    EXPECT_LT(nearest(projector.patternView().height - 1), projector.shadowView().height) << cell;
+  }
+}
+
 TEST(StereoRenderer, ObjectsCastShadowsOnlyWhereTheProjectorIsBlocked) {
   SimulationConfig config;
   config.ambient = 0;
