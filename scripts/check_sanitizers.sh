@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # check_sanitizers.sh [address|thread]: installs what is missing, builds the package anew with gcc's sanitizers in
-# build/<sanitizer>/ and runs its tests and tools; without an argument, one sanitizer after the other.
+# build/<sanitizer>/ and runs its tests and tools; without an argument, one sanitizer after the other. Programs are put into
+# $XDG_CACHE_HOME/cabinet_articulation/sanitizers.
 #
 # address: AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer on all tests (some replay bags) and on the tools.
 # thread: ThreadSanitizer on all tests, most of them with the nodelets in one manager; see not_run_thread for what is left out.
@@ -143,9 +144,10 @@ count_reports() {
 
 # Prints what went wrong, and adds to the verdict. False if anything did.
 check() {
-  # rosrun asks which one is meant where the package's folder holds a program twice.
-  local devel=${XDG_CACHE_HOME:-$HOME/.cache}/cabinet_articulation/sanitizers/$1
-  local build=$root/build/$1 reports=$root/build/$1/reports status=0 tests count
+  local build=$root/build/$1 status=0 tests count
+  local reports=$build/reports
+  # Out of the package, where rosrun would find each program twice; one for each clone, or make would take another's for its own.
+  local devel=${XDG_CACHE_HOME:-$HOME/.cache}/cabinet_articulation/sanitizers/$(cksum <<<"$root" | cut -d ' ' -f 1)-$1
   local -n not_run=not_run_$1 supp=suppressions_$1
   if ! build_with "$1"; then
     verdict+=("$1: the build failed")
