@@ -29,6 +29,8 @@ runs=1
 out=
 ns=cabinet
 config=$(rospack find cabinet_articulation)/config
+camera=stereo
+topics=()
 offline=(--camera-rectangles)
 launch_arguments=()
 for argument in "$@"; do
@@ -43,9 +45,14 @@ for argument in "$@"; do
         ns:=*) ns=$value ;;
         config_dir:=*) config=$value ;;
         fixed_frame:=*) if [ -n "$value" ]; then offline+=(--fixed-frame "$value"); fi ;;
-        camera:=*) offline+=(--camera "$value") ;;
-        input:=stereo) ;;
+        camera:=*)
+          camera=$value
+          offline+=(--camera "$value")
+          ;;
         input:=*) offline+=(--input "$value") ;;
+        rectified:=true) offline+=(--rectified) ;;
+        depth_scale:=*) offline+=(--depth-scale "$value") ;;
+        left_image:=* | left_info:=* | right_image:=* | right_info:=* | depth_image:=* | depth_info:=*) topics+=("$argument") ;;
       esac
       ;;
     *)
@@ -53,6 +60,10 @@ for argument in "$@"; do
       exit 2
       ;;
   esac
+done
+for argument in "${topics[@]}"; do
+  name=${argument%%:=*}
+  offline+=("--${name//_/-}" "/$camera/${argument#*:=}")
 done
 if ! [[ $runs =~ ^[1-9][0-9]*$ ]]; then
   echo "compare_live.sh: runs:=$runs is not a number of runs" >&2

@@ -18,6 +18,7 @@ debian_packages=(
   libnodelet-dev libnodeletlib-dev libnodeletlib-tools pluginlib-dev
   libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libtf2-msgs-dev tf2-tools
   libmessage-filters-dev libcv-bridge-dev libimage-transport-dev libimage-geometry-dev libimage-proc-dev ros-image-proc
+  libcamera-calibration-parsers-dev
   libstereo-image-proc-dev ros-stereo-image-proc
   ros-robot-state-publisher joint-state-publisher
   librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
@@ -34,14 +35,28 @@ debian_packages=(
   libbenchmark-dev python3-matplotlib
 )
 
+# Plugins for compressed images, which Debian has from 13 on.
+optional_packages=(
+  ros-compressed-image-transport ros-compressed-image-transport-dev
+  ros-compressed-depth-image-transport ros-compressed-depth-image-transport-dev
+)
+
+not_installed() {
+  local package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || echo "$package"
+  done
+}
+
 install_debian() {
-  local missing=() package
-  for package in "${debian_packages[@]}"; do
-    [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
+  local missing package
+  mapfile -t missing < <(not_installed "${debian_packages[@]}")
+  [ ${#missing[@]} -eq 0 ] || as_root apt-get update -q
+  for package in $(not_installed "${optional_packages[@]}"); do
+    if apt-cache show "$package" >/dev/null 2>&1; then missing+=("$package"); fi
   done
   [ ${#missing[@]} -eq 0 ] && return
   echo "installing ${#missing[@]} packages"
-  as_root apt-get update -q
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
 }
 
@@ -52,7 +67,8 @@ install_noetic() {
   fi
   as_root apt-get update -q
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
-    g++ make cmake libgtest-dev libgmock-dev python3-pytest python3-rosdep python3-catkin-lint
+    g++ make cmake libgtest-dev libgmock-dev python3-pytest python3-rosdep python3-catkin-lint \
+    ros-noetic-compressed-image-transport ros-noetic-compressed-depth-image-transport
   [ -d /etc/ros/rosdep/sources.list.d ] || as_root rosdep init
   rosdep update --include-eol-distros --rosdistro noetic
   rosdep install --from-paths "$here/.." --ignore-src --rosdistro noetic -y

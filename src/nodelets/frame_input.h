@@ -16,7 +16,8 @@ namespace cabinet_articulation {
 class FrameInput {
  public:
   /// What a callback throws goes to the guard.
-  FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync, const CallbackGuard& guard);
+  FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync,
+             const ImageTransportConfig& transport, const CallbackGuard& guard);
 
   /// The callbacks (may be empty) are those of FrameAssembler.
   void subscribe(const FrameAssembler::Callback& complete, const FrameAssembler::LeftOut& left_out = {});
@@ -34,7 +35,7 @@ class FrameInput {
   void addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity);
 
   ros::NodeHandle nh_;
-  std::string input_;
+  std::string input_, transport_;
   CallbackGuard guard_;
   FrameAssembler::Callback complete_;
   FrameAssembler::LeftOut left_out_;

@@ -46,7 +46,7 @@ class OverlayStage : public StageNodelet {
   };
 
   void start() override {
-    loadSettings(input_);
+    loadSettings(input_, transport_);
     for (const WatchedSubscriber* topic : {&image_topic_, &info_topic_, &rectangles_topic_}) require(topic);
     overlay_ = advertise<sensor_msgs::Image>("overlay");
     markers_ = advertise<visualization_msgs::MarkerArray>("markers");
@@ -59,8 +59,8 @@ class OverlayStage : public StageNodelet {
     const std::string camera = fromDepth() ? "depth/" : "left/";
     info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, camera + "camera_info", guard(),
                                                    [this](const auto& info) { info_ = info; });
-    image_topic_.subscribe<sensor_msgs::Image>(nh, camera + (fromDepth() ? "image" : "image_rect"), guard(),
-                                               [this](const auto& image) { images_.add(image); });
+    image_topic_.subscribeImage(nh, camera + (fromDepth() ? "image" : "image_rect"), transport_.image_transport, guard(),
+                                [this](const auto& image) { images_.add(image); });
     rectangles_topic_.subscribe<RectangleArray>(nh, "rectangles", guard(), [this](const auto& rectangles) {
       recent_rectangles_.add(rectangles);
       if (models_topic_.publishers() == 0) put({images_.find(rectangles->header.stamp), info_, rectangles, nullptr});
@@ -120,6 +120,7 @@ class OverlayStage : public StageNodelet {
   }
 
   FrameInputConfig input_;
+  ImageTransportConfig transport_;
   TransformSource transforms_{guard()};
   MarkerHistory history_;
   RecentMessages<sensor_msgs::Image> images_{kDepth};

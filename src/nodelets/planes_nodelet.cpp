@@ -30,11 +30,12 @@ class PlanesStage : public StageNodelet {
     core::PlanesConfig config;
     FrameInputConfig input;
     SyncConfig sync;
-    loadSettings(config, input, sync);
+    ImageTransportConfig transport;
+    loadSettings(config, input, sync, transport);
     segmenter_ = std::make_unique<core::PlaneSegmenter>(config);
     offerTuning<core::PlanesConfig>(config,
                                     [this](const auto& tuned) { segmenter_ = std::make_unique<core::PlaneSegmenter>(tuned); });
-    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, guard());
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, transport, guard());
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     planes_ = advertise<PlaneArray>("planes");
   }

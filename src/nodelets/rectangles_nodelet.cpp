@@ -36,7 +36,8 @@ class RectanglesStage : public StageNodelet {
     core::RectanglesConfig config;
     FrameInputConfig input;
     SyncConfig sync;
-    loadSettings(config, input, sync);
+    ImageTransportConfig transport;
+    loadSettings(config, input, sync, transport);
     core::PlanesConfig planes;  // of the stage beside this one, which itself warns of settings that it does not know
     loadParameters(ros::NodeHandle(getNodeHandle(), "planes"), planes);
     const auto apply = [this, planes](const core::RectanglesConfig& tuned) {
@@ -45,7 +46,7 @@ class RectanglesStage : public StageNodelet {
     };
     apply(config);
     offerTuning<core::RectanglesConfig>(config, apply);
-    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, guard());
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, transport, guard());
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     rectangles_ = advertise<RectangleArray>("rectangles");

@@ -7,6 +7,7 @@
 #include "nodelets/stage_nodelet.h"
 #include "ros/input_settings.h"
 #include "ros/pair_matcher.h"
+#include "stereo/pair_watch.h"
 
 namespace cabinet_articulation {
 
@@ -26,7 +27,7 @@ class StereoStage : public StageNodelet {
   void start() override {
     core::StereoConfig config;
     SyncConfig sync;
-    loadSettings(config, sync);
+    loadSettings(config, sync, transport_);
     matcher_ = std::make_unique<core::BlockMatcher>(config);
     offerTuning<core::StereoConfig>(config,
                                     [this](const auto& tuned) { matcher_ = std::make_unique<core::BlockMatcher>(tuned); });
@@ -41,9 +42,10 @@ class StereoStage : public StageNodelet {
                                                         [this](const auto& info) { addInfo(info, &left_info_); });
     right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "right/camera_info", guard(),
                                                          [this](const auto& info) { addInfo(info, &right_info_); });
-    left_.subscribe<sensor_msgs::Image>(nh, "left/image_rect", guard(), [this](const auto& image) { add(Side::kLeft, image); });
-    right_.subscribe<sensor_msgs::Image>(nh, "right/image_rect", guard(),
-                                         [this](const auto& image) { add(Side::kRight, image); });
+    left_.subscribeImage(nh, "left/image_rect", transport_.image_transport, guard(),
+                         [this](const auto& image) { add(Side::kLeft, image); });
+    right_.subscribeImage(nh, "right/image_rect", transport_.image_transport, guard(),
+                          [this](const auto& image) { add(Side::kRight, image); });
   }
 
   void unsubscribe() override {
@@ -85,6 +87,12 @@ class StereoStage : public StageNodelet {
                              right_.topic() + " are not used");
   }
 
+  void leftOutUnlit() {
+    health().note("frames without the projector's pattern", ++unlit_);
+    trouble("projector", left_.topic() + ": the projector's pattern comes and goes from frame to frame; frames without it are " +
+                             "left out (keep the emitter on, or set leave_out_unlit to false)");
+  }
+
   void process(const Input& input) {
     const std_msgs::Header& header = input.pair.left->header;
     runStage(header, [&] {
@@ -94,17 +102,23 @@ class StereoStage : public StageNodelet {
       const cv_bridge::CvImageConstPtr right = toMono(input.pair.right, right_.topic());
       requireSize(left->image, camera, left_.topic());
       requireSize(right->image, camera, right_.topic());
-      const core::DepthFrame frame = matcher_->process(left->image, right->image, camera);
       const core::StereoConfig& config = matcher_->config();
+      if (config.leave_out_unlit && projector_.lacksPattern(left->image)) return leftOutUnlit();
+      const core::DepthFrame frame = matcher_->process(left->image, right->image, camera);
+      if (swap_.looksSwapped(frame, matcher_.get()))
+        trouble("swapped", left_.topic() + " and " + right_.topic() + " match only the other way round: are they swapped?");
       publish(disparity_, toMessage(frame, header, config.min_disparity, config.disparity_range));
     });
   }
 
+  ImageTransportConfig transport_;
   std::unique_ptr<core::BlockMatcher> matcher_;
   std::unique_ptr<PairMatcher<sensor_msgs::Image>> pairs_;
   sensor_msgs::CameraInfoConstPtr left_info_, right_info_;
   std::optional<Pair> early_pair_;  ///< the CameraInfos are not known yet
-  int left_out_ = 0;
+  core::ProjectorWatch projector_;
+  core::SwapWatch swap_;
+  int left_out_ = 0, unlit_ = 0;
   ros::Publisher disparity_;
   WatchedSubscriber left_, right_, left_info_topic_, right_info_topic_;
 };

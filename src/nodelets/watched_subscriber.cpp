@@ -4,10 +4,39 @@
 #include <sstream>
 
 namespace cabinet_articulation {
+namespace {
+
+std::string installedTransports(const image_transport::ImageTransport& images) {
+  std::string names;
+  for (const std::string& name : images.getLoadableTransports())
+    names += (names.empty() ? "" : ", ") + name.substr(name.rfind('/') + 1);
+  return names;
+}
+
+}  // namespace
+
+void WatchedSubscriber::subscribeImage(ros::NodeHandle& nh, const std::string& topic, const std::string& transport,
+                                       const CallbackGuard& guard, const Callback<sensor_msgs::Image>& callback) {
+  const std::string resolved = nh.resolveName(topic) + (transport == "raw" ? "" : "/" + transport);
+  image_transport::ImageTransport images(nh);
+  const image_transport::TransportHints hints(transport, ros::TransportHints().tcpNoDelay());
+  try {
+    set({{}, images.subscribe(topic, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
+  } catch (const image_transport::TransportLoadException&) {
+    throw std::runtime_error(resolved + ": image_transport is '" + transport +
+                             "', expected one that is installed: " + installedTransports(images));
+  }
+}
+
+std::uint32_t WatchedSubscriber::publishers() const {
+  const Subscription subscription = this->subscription();
+  return subscription.messages.getNumPublishers() + subscription.images.getNumPublishers();
+}
 
 std::string WatchedSubscriber::silence(double patience) const {
   const double silent = ros::WallTime::now().toSec() - heard_;
-  if (!subscriber() || silent <= patience) return "";
+  const Subscription subscription = this->subscription();
+  if ((!subscription.messages && !subscription.images) || silent <= patience) return "";
   std::ostringstream text;
   text.precision(0);
   text << std::fixed << topic_ << ": nothing received for " << silent << " s, ";

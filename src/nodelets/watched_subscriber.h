@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <image_transport/image_transport.h>
 #include <ros/ros.h>
 
 #include <atomic>
@@ -19,28 +20,27 @@ namespace cabinet_articulation {
 class WatchedSubscriber {
  public:
   template <class Message>
-  void subscribe(ros::NodeHandle& nh, const std::string& topic, const CallbackGuard& guard,
-                 const std::function<void(const boost::shared_ptr<const Message>&)>& callback) {
+  using Callback = std::function<void(const boost::shared_ptr<const Message>&)>;
+
+  template <class Message>
+  void subscribe(ros::NodeHandle& nh, const std::string& topic, const CallbackGuard& guard, const Callback<Message>& callback) {
     const std::string resolved = nh.resolveName(topic);
-    // Named once: the worker reads the name while the stage subscribes anew.
-    std::call_once(named_, [&] { topic_ = resolved; });
-    heard_ = ros::WallTime::now().toSec();
-    const auto heard = [this, guard, resolved, callback](const boost::shared_ptr<const Message>& message) {
-      heard_ = ros::WallTime::now().toSec();
-      guard(resolved, [&] {
-        requireStamp("header.stamp", message->header.stamp);
-        callback(message);
-      });
-    };
     // Most messages are small: without this, TCP holds them back for some 40 ms where stages run in several processes.
-    const ros::Subscriber subscriber =
-        nh.subscribe<Message>(topic, kQueue, heard, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
-    std::lock_guard<std::mutex> lock(mutex_);
-    subscriber_ = subscriber;
+    const auto hints = ros::TransportHints().tcpNoDelay();
+    set({nh.subscribe<Message>(topic, kQueue, heard<Message>(resolved, guard, callback), ros::VoidConstPtr(), hints), {}});
   }
 
+  /// An image by a transport of image_transport: raw, compressed or compressedDepth. Throws std::runtime_error that names those
+  /// that are installed.
+  void subscribeImage(ros::NodeHandle& nh, const std::string& topic, const std::string& transport, const CallbackGuard& guard,
+                      const Callback<sensor_msgs::Image>& callback);
+
   /// Waits for a callback that is running.
-  void shutdown() { subscriber().shutdown(); }
+  void shutdown() {
+    Subscription subscription = this->subscription();
+    subscription.messages.shutdown();
+    subscription.images.shutdown();
+  }
 
   /// Resolved; empty before the first subscription. The first one must not be under way in another thread.
   const std::string& topic() const { return topic_; }
@@ -56,7 +56,7 @@ class WatchedSubscriber {
   }
 
   /// May be called at any time from any thread, also while the stage subscribes anew.
-  std::uint32_t publishers() const { return subscriber().getNumPublishers(); }
+  std::uint32_t publishers() const;
 
   /// In words, what is missing after `patience` seconds without a message; empty if all is well.
   std::string silence(double patience) const;
@@ -65,14 +65,40 @@ class WatchedSubscriber {
   // The callbacks only store the message, so this queue never grows; it bridges a scheduling delay.
   static constexpr std::uint32_t kQueue = 8;
 
-  /// The same subscription. ROS is asked without the lock, for it may wait for a callback that wants it too.
-  ros::Subscriber subscriber() const {
+  /// One of the two.
+  struct Subscription {
+    ros::Subscriber messages;
+    image_transport::Subscriber images;
+  };
+
+  /// The callback of a subscription that begins now.
+  template <class Message>
+  Callback<Message> heard(const std::string& resolved, const CallbackGuard& guard, const Callback<Message>& callback) {
+    // Named once: the worker reads the name while the stage subscribes anew.
+    std::call_once(named_, [&] { topic_ = resolved; });
+    heard_ = ros::WallTime::now().toSec();
+    return [this, guard, resolved, callback](const boost::shared_ptr<const Message>& message) {
+      heard_ = ros::WallTime::now().toSec();
+      guard(resolved, [&] {
+        requireStamp("header.stamp", message->header.stamp);
+        callback(message);
+      });
+    };
+  }
+
+  void set(const Subscription& subscription) {
     std::lock_guard<std::mutex> lock(mutex_);
-    return subscriber_;
+    subscription_ = subscription;
+  }
+
+  /// The same subscription. ROS is asked without the lock, for it may wait for a callback that wants it too.
+  Subscription subscription() const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return subscription_;
   }
 
   mutable std::mutex mutex_;  ///< guards the next
-  ros::Subscriber subscriber_;
+  Subscription subscription_;
   std::once_flag named_;
   std::string topic_;
   std::atomic<double> heard_{0};

@@ -153,7 +153,7 @@ FrameViews FrameAssembler::view(const FrameMessages& messages) const {
 core::DepthFrame FrameAssembler::depthFrame(const FrameMessages& messages, const cv::Mat& depth) const {
   const core::StereoCamera camera = toDepthCamera(*messages.info, topics_.info, config_.virtual_baseline);
   try {
-    return core::frameFromDepth(depth, camera);
+    return core::frameFromDepth(depth, camera, config_.depth_scale);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(topics_.frame + ": " + error.what());
   }

@@ -15,10 +15,20 @@ namespace {
 
 namespace encodings = sensor_msgs::image_encodings;
 
-std::array<double, 12> projection(const sensor_msgs::CameraInfo& info) {
-  std::array<double, 12> P;
-  std::copy(info.P.begin(), info.P.end(), P.begin());
-  return P;
+/// Takes the matrix of a camera (rows of `columns`) from the full sensor's pixels to those of the images that come. A CameraInfo
+/// describes the full sensor, roi is given in its pixels, and binning reduces what is left (sensor_msgs/CameraInfo).
+template <size_t N>
+std::array<double, N> asImaged(const sensor_msgs::CameraInfo& info, const boost::array<double, N>& matrix) {
+  std::array<double, N> result;
+  std::copy(matrix.begin(), matrix.end(), result.begin());
+  constexpr size_t columns = N / 3;
+  result[2] -= info.roi.x_offset;
+  result[columns + 2] -= info.roi.y_offset;
+  for (size_t i = 0; i < columns; ++i) {
+    result[i] /= std::max(info.binning_x, 1U);
+    result[columns + i] /= std::max(info.binning_y, 1U);
+  }
+  return result;
 }
 
 [[noreturn]] void fail(const std::string& topic, const std::string& text) { throw std::invalid_argument(topic + ": " + text); }
@@ -57,9 +67,9 @@ cv_bridge::CvImageConstPtr guarded(const sensor_msgs::Image& image, const std::s
 }
 
 /// A message holds focal length and baseline in single precision only.
-bool computedFrom(const stereo_msgs::DisparityImage& disparity, const sensor_msgs::CameraInfo& left,
-                  const sensor_msgs::CameraInfo& right) {
-  return static_cast<float>(left.P[0]) == disparity.f && static_cast<float>(-right.P[3] / right.P[0]) == disparity.T;
+bool computedFrom(const stereo_msgs::DisparityImage& disparity, const std::array<double, 12>& P_left,
+                  const std::array<double, 12>& P_right) {
+  return static_cast<float>(P_left[0]) == disparity.f && static_cast<float>(-P_right[3] / P_right[0]) == disparity.T;
 }
 
 void fillImage(const cv::Mat& pixels, const std_msgs::Header& header, const std::string& encoding, sensor_msgs::Image* image) {
@@ -96,14 +106,22 @@ void requireSane(const Plane& message) {
 
 }  // namespace
 
+cv::Size imageSize(const sensor_msgs::CameraInfo& info) {
+  const bool whole = info.roi.width == 0 || info.roi.height == 0;
+  return cv::Size(static_cast<int>((whole ? info.width : info.roi.width) / std::max(info.binning_x, 1U)),
+                  static_cast<int>((whole ? info.height : info.roi.height) / std::max(info.binning_y, 1U)));
+}
+
 core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right,
                                   const std::string& left_topic, const std::string& right_topic) {
-  if (left.width != right.width || left.height != right.height)
-    fail(right_topic, "size is " + sizeText(right.width, right.height) + ", expected that of " + left_topic + ", " +
-                          sizeText(left.width, left.height));
+  const cv::Size size = imageSize(left), right_size = imageSize(right);
+  if (size != right_size)
+    fail(right_topic, "size is " + sizeText(right_size.width, right_size.height) + ", expected that of " + left_topic + ", " +
+                          sizeText(size.width, size.height));
+  if (left.P[3] < 0 && right.P[3] >= 0)
+    fail(left_topic, "P[3] is negative and that of " + right_topic + " is not: left and right are swapped");
   try {
-    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
-                                               projection(right));
+    return core::StereoCamera::fromProjections(size.width, size.height, asImaged(left, left.P), asImaged(right, right.P));
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
     fail(text.rfind("right", 0) == 0 ? right_topic : left_topic, text);
@@ -111,13 +129,14 @@ core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sen
 }
 
 core::StereoCamera toDepthCamera(const sensor_msgs::CameraInfo& info, const std::string& topic, double virtual_baseline) {
-  std::array<double, 9> K;
-  if (info.P[0] != 0)
-    K = {info.P[0], info.P[1], info.P[2], info.P[4], info.P[5], info.P[6], info.P[8], info.P[9], info.P[10]};
-  else
-    std::copy(info.K.begin(), info.K.end(), K.begin());
+  std::array<double, 9> K = asImaged(info, info.K);
+  if (info.P[0] != 0) {
+    const std::array<double, 12> P = asImaged(info, info.P);
+    K = {P[0], P[1], P[2], P[4], P[5], P[6], P[8], P[9], P[10]};
+  }
+  const cv::Size size = imageSize(info);
   try {
-    return core::StereoCamera::fromDepthCamera(static_cast<int>(info.width), static_cast<int>(info.height), K, virtual_baseline);
+    return core::StereoCamera::fromDepthCamera(size.width, size.height, K, virtual_baseline);
   } catch (const std::invalid_argument& error) {
     fail(topic, error.what());
   }
@@ -132,17 +151,18 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
   } catch (const std::invalid_argument& error) {
     fail(topic, error.what());
   }
-  std::array<double, 12> P_right = projection(left);
-  if (right && computedFrom(disparity, left, *right)) {
-    P_right = projection(*right);
-  } else {
+  const cv::Size size = imageSize(left);
+  const std::array<double, 12> P_left = asImaged(left, left.P);
+  std::array<double, 12> P_right = right ? asImaged(*right, right->P) : P_left;
+  if (!right || !computedFrom(disparity, P_left, P_right)) {
     // The right camera that the message implies: the focal length and the baseline it was computed with.
-    P_right[3] = -P_right[0] * (static_cast<double>(disparity.f) * disparity.T / left.P[0]);
-    if (right) P_right[2] = right->P[2];
+    const double cx = P_right[2];
+    P_right = P_left;
+    P_right[2] = cx;
+    P_right[3] = -P_right[0] * (static_cast<double>(disparity.f) * disparity.T / P_left[0]);
   }
   try {
-    return core::StereoCamera::fromProjections(static_cast<int>(left.width), static_cast<int>(left.height), projection(left),
-                                               P_right);
+    return core::StereoCamera::fromProjections(size.width, size.height, P_left, P_right);
   } catch (const std::invalid_argument& error) {
     fail(left_topic, error.what());
   }

@@ -23,10 +23,22 @@ struct SyncConfig {
   }
 };
 
+/// How images come.
+struct ImageTransportConfig {
+  std::string image_transport = "raw";
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("image_transport", self.image_transport, core::Choices{},
+          "how images are sent: raw, compressed or compressedDepth, or another plugin that is installed");
+  }
+};
+
 /// Where the depth comes from.
 struct FrameInputConfig {
   std::string input = "disparity";
   double virtual_baseline = 0.075;  ///< [m]
+  double depth_scale = 0.001;       ///< [m]
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -34,6 +46,8 @@ struct FrameInputConfig {
           "topics to subscribe to: disparity (and its images) or depth");
     visit("virtual_baseline", self.virtual_baseline, core::Range{0.01, 1}, "m",
           "depth camera: baseline of the pair it is treated as (Kinect: 0.075)");
+    visit("depth_scale", self.depth_scale, core::Range{1e-6, 0.1}, "m",
+          "depth camera: the unit of 16 bit images (ROS: 0.001); floating point images are in metres");
   }
 };
 

@@ -9,17 +9,26 @@
 
 namespace cabinet_articulation {
 
+/// What the user says about the input; all may be empty.
+struct InputOptions {
+  std::string kind;        ///< stereo, disparity or depth
+  std::string camera;      ///< namespace of the topics, with a leading '/'
+  bool rectified = false;  ///< stereo: also where the topics' names do not say it
+  std::string left_image, left_info, right_image, right_info, disparity, depth_image, depth_info;  ///< topics
+};
+
 /// Where in a bag the pipeline's input is.
 struct BagInput {
   std::string kind;        ///< stereo, disparity or depth
-  FrameTopics topics;      ///< stereo: `frame` is empty
+  FrameTopics topics;      ///< as they are called in the bag, compressed ones too; stereo: `frame` is empty
   bool rectified = false;  ///< stereo: the images are rectified already
 };
 
-/// The topics of `kind` below the namespace `camera`, /stereo if that is empty. Where these are not complete, the only other ones
-/// below `camera`, or in the whole bag if that is empty, of which types and names fit.
-/// Throws std::invalid_argument for an unknown kind, and std::runtime_error that says which topics are missing and which there
-/// are.
-BagInput chooseInput(const rosbag::Bag& bag, const std::string& kind, const std::string& camera);
+/// The input of a bag. Topics that are named are taken; the kind is the one they belong to. What is not named is looked for under
+/// the default names below `camera` (/stereo if that is empty; then as stereo, if the kind is not given), and where these are not
+/// complete, by type among all topics below `camera`, or of the bag if that is empty. An image may be compressed; then it is
+/// known by the name of the image or by its own. Throws std::invalid_argument for options that contradict each other, and
+/// std::runtime_error that says which topics are missing or which inputs fit, and which topics there are.
+BagInput chooseInput(const rosbag::Bag& bag, const InputOptions& options);
 
 }  // namespace cabinet_articulation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The planes and rectangles of a single depth image, as a picture and in words: does this camera see my cabinet?
+// The planes and rectangles of a single depth image, disparity image or pair, as a picture and in words: does this camera see my
+// cabinet?
 #include <getopt.h>
 
 #include <cstdio>
@@ -7,10 +8,12 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
-#include "config/ordinary_file.h"
 #include "ros/overlay.h"
+#include "tools/image_input.h"
 #include "tools/run_program.h"
 
 namespace cabinet_articulation {
@@ -18,17 +21,21 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: detect_image DEPTH OVERLAY.png --fx PX [options]\n"
-    "  DEPTH            16 bit (see --scale) or floating point [m], 0 or NaN where nothing was measured\n"
-    "  --fx, --fy PX    focal lengths (fy: as fx)\n"
-    "  --cx, --cy PX    principal point (the image's centre)\n"
-    "  --scale N        16 bit values per metre (1000)\n"
-    "  --config DIR     planes.yaml and rectangles.yaml; a missing file means that stage's defaults\n";
-
-constexpr double kVirtualBaseline = 0.075;  ///< [m] a depth sensor's usual one; turns depth into disparity
+    "       detect_image LEFT RIGHT OVERLAY.png --camera-info LEFT.yaml --right-info RIGHT.yaml [options]\n"
+    "  DEPTH               16 bit (see --scale) or floating point [m], 0 or NaN where nothing was measured\n"
+    "  LEFT RIGHT          a pair; rectified, or with both calibrations\n"
+    "  --input KIND        depth, disparity [px] or stereo (for one image: depth, for two: stereo)\n"
+    "  --camera-info FILE  the camera's calibration (YAML, as from camera_calibration), or these numbers:\n"
+    "  --fx, --fy PX       focal lengths (fy: as fx)\n"
+    "  --cx, --cy PX       principal point (the image's centre)\n"
+    "  --right-info FILE   stereo, disparity: calibration of the right camera, or\n"
+    "  --baseline M        its distance from the left one\n"
+    "  --scale N           16 bit values per metre (1000), or per pixel of disparity (256)\n"
+    "  --config DIR        stereo.yaml, planes.yaml and rectangles.yaml; a missing file means that stage's defaults\n";
 
 struct Options {
-  std::string depth, overlay, config;
-  double fx = 0, fy = 0, cx = -1, cy = -1, scale = 1000;
+  ImageInput input;
+  std::string overlay, config;
 };
 
 double number(const char* text, const std::string& name) {
@@ -42,47 +49,37 @@ double number(const char* text, const std::string& name) {
 /// Throws std::invalid_argument. Nothing if only help was asked for.
 std::optional<Options> parseOptions(int argc, char** argv) {
   Options options;
-  const option known[] = {{"fx", required_argument, nullptr, 0},    {"fy", required_argument, nullptr, 0},
-                          {"cx", required_argument, nullptr, 0},    {"cy", required_argument, nullptr, 0},
-                          {"scale", required_argument, nullptr, 0}, {"config", required_argument, nullptr, 'c'},
-                          {"help", no_argument, nullptr, 'h'},      {nullptr, 0, nullptr, 0}};
-  double* const numbers[] = {&options.fx, &options.fy, &options.cx, &options.cy, &options.scale};
+  ImageInput& input = options.input;
+  const option known[] = {{"fx", required_argument, nullptr, 0},
+                          {"fy", required_argument, nullptr, 0},
+                          {"cx", required_argument, nullptr, 0},
+                          {"cy", required_argument, nullptr, 0},
+                          {"baseline", required_argument, nullptr, 0},
+                          {"scale", required_argument, nullptr, 0},
+                          {"config", required_argument, nullptr, 0},
+                          {"input", required_argument, nullptr, 0},
+                          {"camera-info", required_argument, nullptr, 0},
+                          {"right-info", required_argument, nullptr, 0},
+                          {"help", no_argument, nullptr, 'h'},
+                          {nullptr, 0, nullptr, 0}};
+  const std::vector<double*> numbers{&input.fx, &input.fy, &input.cx, &input.cy, &input.baseline, &input.scale};
+  const std::vector<std::string*> texts{&options.config, &input.kind, &input.info, &input.right_info};
   opterr = 0;
-  int index = 0;
-  for (int choice; (choice = getopt_long(argc, argv, "h", known, &index)) != -1;) {
+  int found = 0;
+  for (int choice; (choice = getopt_long(argc, argv, "h", known, &found)) != -1;) {
     if (choice == 'h') return std::nullopt;
     if (choice == '?') throw std::invalid_argument(std::string("unknown option or missing value: ") + argv[optind - 1]);
-    if (choice == 'c')
-      options.config = optarg;
-    else
+    const size_t index = static_cast<size_t>(found);
+    if (index < numbers.size())
       *numbers[index] = number(optarg, known[index].name);
+    else
+      *texts[index - numbers.size()] = optarg;
   }
-  if (argc - optind != 2)
-    throw std::invalid_argument("expected a depth image and an overlay, got " + std::to_string(argc - optind));
-  if (options.fx == 0) throw std::invalid_argument("--fx is missing");
-  options.depth = argv[optind];
-  options.overlay = argv[optind + 1];
-  if (options.fy == 0) options.fy = options.fx;
+  if (argc - optind != 2 && argc - optind != 3)
+    throw std::invalid_argument("expected one or two images and an overlay, got " + std::to_string(argc - optind) + " files");
+  input.images.assign(argv + optind, argv + argc - 1);
+  options.overlay = argv[argc - 1];
   return options;
-}
-
-/// [m]
-cv::Mat1f readDepth(const Options& options) {
-  core::requireOrdinaryFile(options.depth);
-  const cv::Mat image = cv::imread(options.depth, cv::IMREAD_UNCHANGED);
-  if (image.empty()) throw std::runtime_error(options.depth + ": no image, or none that can be read");
-  if (image.type() != CV_16UC1 && image.type() != CV_32FC1)
-    throw std::runtime_error(options.depth + ": expected 1 channel with 16 bit or floating point");
-  cv::Mat1f depth;
-  image.convertTo(depth, CV_32F, image.type() == CV_16UC1 ? 1 / options.scale : 1);
-  return depth;
-}
-
-core::StereoCamera cameraOf(const Options& options, const cv::Size& size) {
-  const double cx = options.cx < 0 ? (size.width - 1) / 2.0 : options.cx;
-  const double cy = options.cy < 0 ? (size.height - 1) / 2.0 : options.cy;
-  return core::StereoCamera::fromDepthCamera(size.width, size.height, {options.fx, 0, cx, 0, options.fy, cy, 0, 0, 1},
-                                             kVirtualBaseline);
 }
 
 /// The disparity in grey, each pixel tinted by the smallest region it lies in.
@@ -126,8 +123,7 @@ void run(const Options& options) {
   const core::PipelineConfig config =
       options.config.empty() ? core::PipelineConfig() : core::PipelineConfig::load(options.config, &warnings);
   for (const std::string& warning : warnings) std::fprintf(stderr, "detect_image: %s\n", warning.c_str());
-  const cv::Mat1f depth = readDepth(options);
-  const core::DepthFrame frame = core::frameFromDepth(depth, cameraOf(options, depth.size()));
+  const core::DepthFrame frame = readFrame(options.input, config.stereo);
   const std::vector<core::PlaneRegion> regions = core::PlaneSegmenter(config.planes).process(frame);
   const std::vector<core::DetectedRectangle> rectangles =
       core::RectangleDetector(config.rectangles, config.planes).process(frame, regions);

@@ -10,6 +10,7 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "config/ordinary_file.h"
+#include "ros/compressed_images.h"
 #include "tools/message_stream.h"
 
 namespace cabinet_articulation {
@@ -48,18 +49,19 @@ sensor_msgs::CameraInfoConstPtr infoAt(const std::map<ros::Time, sensor_msgs::Ca
   return next == infos.begin() ? next->second : std::prev(next)->second;
 }
 
-template <class Message>
-std::string sizeText(const Message& message) {
-  return std::to_string(message.width) + "x" + std::to_string(message.height);
+std::string sizeText(const cv::Size& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
+cv::Size sizeOf(const sensor_msgs::Image& image) {
+  return cv::Size(static_cast<int>(image.width), static_cast<int>(image.height));
 }
 
 /// What is wrong, in words; empty if the four are of one size.
 std::string sizeTrouble(const sensor_msgs::Image& left, const sensor_msgs::Image& right, const sensor_msgs::CameraInfo& left_info,
                         const sensor_msgs::CameraInfo& right_info) {
-  const std::string size = sizeText(left);
-  if (sizeText(right) == size && sizeText(left_info) == size && sizeText(right_info) == size) return "";
-  return "at " + std::to_string(left.header.stamp.toSec()) + " images " + size + " and " + sizeText(right) + ", CameraInfos " +
-         sizeText(left_info) + " and " + sizeText(right_info);
+  const cv::Size size = sizeOf(left);
+  if (sizeOf(right) == size && imageSize(left_info) == size && imageSize(right_info) == size) return "";
+  return "at " + std::to_string(left.header.stamp.toSec()) + " images " + sizeText(size) + " and " + sizeText(sizeOf(right)) +
+         ", CameraInfos " + sizeText(imageSize(left_info)) + " and " + sizeText(imageSize(right_info));
 }
 
 /// What `view` makes of messages; nothing, and counted, where it refuses them.
@@ -76,13 +78,27 @@ std::optional<FrameViews> usable(const std_msgs::Header& header, const View& vie
 
 }  // namespace
 
-FrameBag::FrameBag(const std::string& path, const std::string& input, const std::string& camera) : path_(path) {
+FrameBag::FrameBag(const std::string& path, const FrameBagOptions& options) : path_(path), options_(options) {
   openBag(path, &bag_);
-  input_ = chooseInput(bag_, input, camera);
+  input_ = chooseInput(bag_, options.input);
+}
+
+size_t FrameBag::expectedFrames() const {
+  return rosbag::View(bag_, rosbag::TopicQuery(input_.kind == "stereo" ? input_.topics.left : input_.topics.frame)).size();
 }
 
 void FrameBag::forEachFrame(const Callback& callback, SkippedFrames* skipped) {
   input_.kind == "stereo" ? forEachPair(callback, skipped) : forEachDepth(callback, skipped);
+}
+
+sensor_msgs::ImageConstPtr FrameBag::readImage(const rosbag::MessageInstance& instance, SkippedFrames* skipped) const {
+  if (!instance.isType<sensor_msgs::CompressedImage>()) return read<sensor_msgs::Image>(instance, path_);
+  try {
+    return decompressed(*read<sensor_msgs::CompressedImage>(instance, path_), instance.getTopic());
+  } catch (const std::invalid_argument& error) {
+    skipped->add("images that cannot be decoded", error.what());
+    return {};
+  }
 }
 
 FrameBag::Infos FrameBag::readInfos(const std::string& topic) const {
@@ -97,14 +113,15 @@ void FrameBag::forEachPair(const Callback& callback, SkippedFrames* skipped) {
   const Infos left_infos = readInfos(topics.info), right_infos = readInfos(topics.right_info);
   if (left_infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.info);
   if (right_infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.right_info);
-  PairMatcher<sensor_msgs::Image> matcher(SyncConfig().tolerance(), [skipped](Side side, const auto& image) {
+  PairMatcher<sensor_msgs::Image> matcher(options_.sync.tolerance(), [skipped](Side side, const auto& image) {
     const char* const own = side == Side::kLeft ? "left" : "right";
     const char* const other = side == Side::kLeft ? "right" : "left";
     skipped->add(std::string(own) + " image without a " + other + " image of the same stamp", stampText(image->header.stamp));
   });
   for (const rosbag::MessageInstance& instance : rosbag::View(bag_, rosbag::TopicQuery({topics.left, topics.right}))) {
     const Side side = instance.getTopic() == topics.left ? Side::kLeft : Side::kRight;
-    const auto pair = matcher.add(side, read<sensor_msgs::Image>(instance, path_));
+    const sensor_msgs::ImageConstPtr image = readImage(instance, skipped);
+    const auto pair = image ? matcher.add(side, image) : std::nullopt;
     if (!pair) continue;
     const std_msgs::Header& header = pair->left->header;
     const auto left = infoAt(left_infos, header.stamp), right = infoAt(right_infos, header.stamp);
@@ -112,8 +129,12 @@ void FrameBag::forEachPair(const Callback& callback, SkippedFrames* skipped) {
     if (!trouble.empty())
       skipped->add("left and right image and their CameraInfos differ in size", trouble);
     else if (const auto views = usable(
-                 header, [&] { return viewPair(*pair, *left, *right); }, skipped))
-      callback(header, *views);
+                 header, [&] { return viewPair(*pair, *left, *right); }, skipped)) {
+      if (options_.leave_out_unlit && projector_.lacksPattern(views->frame.left))
+        skipped->add("the projector's pattern is missing, and comes and goes", stampText(header.stamp));
+      else
+        callback(header, *views);
+    }
   }
   matcher.giveUpAll();
 }
@@ -133,9 +154,9 @@ void FrameBag::forEachDepth(const Callback& callback, SkippedFrames* skipped) {
   const FrameTopics& topics = input_.topics;
   const Infos infos = readInfos(topics.info), right_infos = readInfos(topics.right_info);
   if (infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.info);
-  FrameInputConfig config;
+  FrameInputConfig config = options_.frames;
   config.input = input_.kind;
-  FrameAssembler assembler(config, SyncConfig(), topics, [&](const FrameMessages& messages) {
+  FrameAssembler assembler(config, options_.sync, topics, [&](const FrameMessages& messages) {
     if (const auto views = usable(
             messages.header(), [&] { return assembler.view(messages); }, skipped))
       callback(messages.header(), *views);
@@ -143,29 +164,36 @@ void FrameBag::forEachDepth(const Callback& callback, SkippedFrames* skipped) {
   const auto comes = [this](const std::string& topic) { return rosbag::View(bag_, rosbag::TopicQuery(topic)).size() > 0; };
   if (comes(topics.left) && comes(topics.right)) assembler.expectImages();
   // The CameraInfos were read ahead, so that no frame comes before the first of them.
-  play(&assembler, [&](const ros::Time& stamp) {
-    assembler.addInfo(infoAt(infos, stamp));
-    if (!right_infos.empty()) assembler.addRightInfo(infoAt(right_infos, stamp));
-  });
+  play(
+      &assembler,
+      [&](const ros::Time& stamp) {
+        assembler.addInfo(infoAt(infos, stamp));
+        if (!right_infos.empty()) assembler.addRightInfo(infoAt(right_infos, stamp));
+      },
+      skipped);
   assembler.flush();
 }
 
-void FrameBag::play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame) const {
+void FrameBag::play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame,
+                    SkippedFrames* skipped) const {
   const FrameTopics& topics = input_.topics;
   const rosbag::TopicQuery inputs({topics.frame, topics.left, topics.right});
   for (const rosbag::MessageInstance& instance : rosbag::View(bag_, inputs)) {
-    if (instance.getTopic() == topics.left) {
-      assembler->addLeft(read<sensor_msgs::Image>(instance, path_));
-    } else if (instance.getTopic() == topics.right) {
-      assembler->addRight(read<sensor_msgs::Image>(instance, path_));
-    } else if (input_.kind == "depth") {
-      const auto depth = read<sensor_msgs::Image>(instance, path_);
-      before_frame(depth->header.stamp);
-      assembler->addDepth(depth);
-    } else {
+    if (instance.isType<stereo_msgs::DisparityImage>()) {
       const auto disparity = read<stereo_msgs::DisparityImage>(instance, path_);
       before_frame(disparity->header.stamp);
       assembler->addDisparity(disparity);
+      continue;
+    }
+    const sensor_msgs::ImageConstPtr image = readImage(instance, skipped);
+    if (!image) continue;
+    if (instance.getTopic() == topics.left) {
+      assembler->addLeft(image);
+    } else if (instance.getTopic() == topics.right) {
+      assembler->addRight(image);
+    } else {
+      before_frame(image->header.stamp);
+      assembler->addDepth(image);
     }
   }
 }

@@ -8,11 +8,20 @@
 #include <string>
 
 #include "ros/frame_assembler.h"
+#include "stereo/pair_watch.h"
 #include "tools/bag_input.h"
 #include "tools/rectifier.h"
 #include "tools/skipped_frames.h"
 
 namespace cabinet_articulation {
+
+/// What is in a bag, and how it is to be read.
+struct FrameBagOptions {
+  InputOptions input;
+  FrameInputConfig frames;  ///< but for the kind of input
+  SyncConfig sync;
+  bool leave_out_unlit = true;  ///< as StereoConfig
+};
 
 /// The frames in a bag: rectified stereo pairs (without disparities yet), disparities with their images, or depth images, put
 /// together as the nodelets do. Nothing is dropped but what has no counterpart or cannot be used.
@@ -21,14 +30,18 @@ class FrameBag {
   /// The header is that of the left image, the disparity or the depth image.
   using Callback = std::function<void(const std_msgs::Header&, const FrameViews&)>;
 
-  /// `input` and `camera` as in chooseInput. Throws as that, and std::runtime_error that says in words what is wrong: no such
+  /// Throws as chooseInput, and std::runtime_error that says in words what is wrong: no such
   /// file, not a bag or truncated.
-  FrameBag(const std::string& path, const std::string& input, const std::string& camera);
+  FrameBag(const std::string& path, const FrameBagOptions& options);
 
   /// Calls back for every frame in the order of the bag. Throws std::runtime_error where the bag cannot be read on.
   void forEachFrame(const Callback& callback, SkippedFrames* skipped);
 
   const rosbag::Bag& bag() const { return bag_; }
+  const BagInput& input() const { return input_; }
+
+  /// Depth images, disparities or left images.
+  size_t expectedFrames() const;
 
  private:
   using Infos = std::map<ros::Time, sensor_msgs::CameraInfoConstPtr>;
@@ -36,14 +49,18 @@ class FrameBag {
 
   void forEachPair(const Callback& callback, SkippedFrames* skipped);
   void forEachDepth(const Callback& callback, SkippedFrames* skipped);
-  void play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame) const;
+  /// Null, and counted, for an image that cannot be decoded.
+  sensor_msgs::ImageConstPtr readImage(const rosbag::MessageInstance& instance, SkippedFrames* skipped) const;
+  void play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame, SkippedFrames* skipped) const;
   Infos readInfos(const std::string& topic) const;
   FrameViews viewPair(const ImagePair& pair, const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right);
 
-  std::string path_;
+  const std::string path_;
+  const FrameBagOptions options_;
   rosbag::Bag bag_;
   BagInput input_;
   Rectifier rectifiers_[2];
+  core::ProjectorWatch projector_;
 };
 
 }  // namespace cabinet_articulation

@@ -28,12 +28,12 @@ ParameterTable table(const std::string& nodelet) {
 
 const std::vector<ParameterTable>& parameterTables() {
   static const std::vector<ParameterTable> tables{
-      table<core::StereoConfig, SyncConfig, StageSettings>("stereo"),
-      table<core::PlanesConfig, FrameInputConfig, SyncConfig, StageSettings>("planes"),
-      table<core::RectanglesConfig, FrameInputConfig, SyncConfig, StageSettings>("rectangles"),
+      table<core::StereoConfig, SyncConfig, ImageTransportConfig, StageSettings>("stereo"),
+      table<core::PlanesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("planes"),
+      table<core::RectanglesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("rectangles"),
       table<core::TrackingConfig, FixedFrameConfig, StageSettings>("tracking"),
       table<core::ArticulationConfig, ModelFileConfig, FrameOutputConfig, StageSettings>("articulation"),
-      table<FrameInputConfig, StageSettings>("overlay"),
+      table<FrameInputConfig, ImageTransportConfig, StageSettings>("overlay"),
       table<core::SimulationConfig, SimulatedCameraSettings>("simulated_stereo_camera"),
   };
   return tables;

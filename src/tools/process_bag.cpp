@@ -5,13 +5,16 @@
 #include <tf2/exceptions.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cabinet_articulation/ros/conversions.h"
 #include "ros/clock_jump.h"
+#include "tools/bag_tool_options.h"
 #include "tools/bag_transforms.h"
 #include "tools/frame_bag.h"
+#include "tools/progress.h"
 #include "tools/result_bag.h"
 #include "tools/run_program.h"
 #include "tools/run_summary.h"
@@ -23,53 +26,24 @@ constexpr char kUsage[] =
     "usage: process_bag IN.bag OUT.bag [options]\n"
     "  --config DIR        stereo.yaml, planes.yaml, ...; a missing file means that stage's defaults\n"
     "  --fixed-frame FRAME all poses in this frame, by the bag's tf (default: the left camera's optical frame)\n"
-    "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n"
-    "  --input KIND        stereo (default), disparity or depth\n"
-    "                      images of a pair have equal stamps; depth is that of a pair with the default virtual_baseline\n"
-    "  --camera NAMESPACE  of the input's topics (default: /stereo), else the only ones below it that fit; they are for\n"
-    "                      stereo: left/, right/ image_raw or image_rect, and camera_info;\n"
-    "                      disparity: disparity, left/camera_info; right/camera_info and left/, right/ image_rect if there;\n"
-    "                      depth: depth/image and depth/camera_info\n";
+    "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n";
 
-struct Options {
-  std::string input, output, config, fixed_frame;
-  std::string kind = "stereo", camera;
+struct ProcessBagOptions : BagToolOptions {
+  std::string fixed_frame;
   bool camera_rectangles = false;
 };
 
-/// Throws std::invalid_argument. Nothing if only help was asked for.
-std::optional<Options> parseOptions(int argc, char** argv) {
-  Options options;
-  const option known[] = {{"config", required_argument, nullptr, 'c'},
-                          {"fixed-frame", required_argument, nullptr, 'f'},
-                          {"input", required_argument, nullptr, 'i'},
-                          {"camera", required_argument, nullptr, 's'},
-                          {"camera-rectangles", no_argument, nullptr, 'r'},
-                          {"help", no_argument, nullptr, 'h'},
-                          {nullptr, 0, nullptr, 0}};
-  opterr = 0;
-  for (int choice; (choice = getopt_long(argc, argv, "h", known, nullptr)) != -1;) {
-    if (choice == 'h') return std::nullopt;
-    if (choice == '?') throw std::invalid_argument(std::string("unknown option or missing value: ") + argv[optind - 1]);
-    if (choice == 'r')
-      options.camera_rectangles = true;
-    else
-      (choice == 'c'   ? options.config
-       : choice == 'f' ? options.fixed_frame
-       : choice == 'i' ? options.kind
-                       : options.camera) = optarg;
-  }
-  if (argc - optind != 2) throw std::invalid_argument("expected two bags, got " + std::to_string(argc - optind));
-  options.input = argv[optind];
-  options.output = argv[optind + 1];
-  if (!options.camera.empty() && options.camera[0] != '/') options.camera = "/" + options.camera;
-  std::error_code missing;
-  if (std::filesystem::equivalent(options.input, options.output, missing))
-    throw std::invalid_argument("input and output are the same file: " + options.input);
+/// Nothing if only help was asked for.
+std::optional<ProcessBagOptions> parseOptions(int argc, char** argv) {
+  ProcessBagOptions options;
+  const std::vector<Choice> own{
+      {"fixed-frame", required_argument, [&options](const char* frame) { options.fixed_frame = frame; }},
+      {"camera-rectangles", no_argument, [&options](const char*) { options.camera_rectangles = true; }}};
+  if (!parseBagToolOptions(argc, argv, own, &options)) return std::nullopt;
   return options;
 }
 
-core::PipelineConfig loadConfig(const Options& options) {
+core::PipelineConfig loadConfig(const ProcessBagOptions& options) {
   std::vector<std::string> warnings;
   const core::PipelineConfig config =
       options.config.empty() ? core::PipelineConfig() : core::PipelineConfig::load(options.config, &warnings);
@@ -77,11 +51,22 @@ core::PipelineConfig loadConfig(const Options& options) {
   return config;
 }
 
+FrameBagOptions bagOptions(const ProcessBagOptions& options, const core::PipelineConfig& config) {
+  FrameBagOptions bag = options.bag;
+  bag.leave_out_unlit = config.stereo.leave_out_unlit;
+  return bag;
+}
+
 /// Takes one frame after the other through the pipeline and into the output.
 class Run {
  public:
-  explicit Run(const Options& options)
-      : options_(options), input_(options.input, options.kind, options.camera), pipeline_(loadConfig(options)) {
+  explicit Run(const ProcessBagOptions& options)
+      : options_(options),
+        config_(loadConfig(options)),
+        input_(options.input, bagOptions(options, config_)),
+        progress_(input_.expectedFrames()),
+        pipeline_(config_),
+        matcher_(config_.stereo) {
     if (options.fixed_frame.empty()) return;
     transforms_.emplace(input_.bag());
     if (!transforms_->leftOut().empty())
@@ -89,7 +74,13 @@ class Run {
   }
 
   void processAll() {
-    input_.forEachFrame([this](const auto& header, const FrameViews& views) { process(header, views.frame); }, &skipped_);
+    input_.forEachFrame(
+        [this](const auto& header, const FrameViews& views) {
+          process(header, views.frame);
+          progress_.add();
+        },
+        &skipped_);
+    progress_.clear();
     if (output_) output_->close(header_, pipeline_.tracks());
   }
 
@@ -116,6 +107,7 @@ class Run {
                                             ? pipeline_.process(stamp, frame.left, frame.right, frame.camera, T_fixed_camera)
                                             : pipeline_.process(stamp, frame, T_fixed_camera);
     summary_.add(result);
+    warnIfSwapped(frame, result.frame);
     if (!output_) output_.emplace(options_.output);
     const RectangleArray rectangles = options_.camera_rectangles
                                           ? toMessage(result.rectangles, camera)
@@ -123,20 +115,34 @@ class Run {
     output_->write(header, rectangles, result.track_updates, result.models);
   }
 
+  void warnIfSwapped(const core::DepthFrame& input, const core::DepthFrame& matched) {
+    if (said_swapped_ || !input.disparity.empty() || !swap_.looksSwapped(matched, &matcher_)) return;
+    said_swapped_ = true;
+    progress_.clear();
+    std::fprintf(stderr, "process_bag: at %f left and right image match only the other way round: are their topics swapped?\n",
+                 header_.stamp.toSec());
+  }
+
   /// True for a frame that may be processed: newer than the last one, or after a clock that jumped back (a bag in a loop).
   bool isNewer(const ros::Time& stamp) {
     const std::optional<ros::Time> newest = clock_jump_.newest();
     const FrameOrder order = clock_jump_.orderOf(stamp);
     if (order != FrameOrder::kSetBack) return order == FrameOrder::kNewer;
+    progress_.clear();
     std::fprintf(stderr, "process_bag: time jumped back from %f to %f, joints stay known, all else is forgotten\n",
                  newest->toSec(), stamp.toSec());
     pipeline_.startAfresh();
     return true;
   }
 
-  Options options_;
+  const ProcessBagOptions options_;
+  const core::PipelineConfig config_;
   FrameBag input_;
+  Progress progress_;
   core::Pipeline pipeline_;
+  core::BlockMatcher matcher_;  ///< for pairs that are tried the other way round
+  core::SwapWatch swap_;
+  bool said_swapped_ = false;
   std::optional<BagTransforms> transforms_;
   std::optional<ResultBag> output_;
   RunSummary summary_;
@@ -145,7 +151,7 @@ class Run {
   std_msgs::Header header_;  ///< of the last frame processed
 };
 
-int run(const Options& options) {
+int run(const ProcessBagOptions& options) {
   Run run(options);
   std::string failure;
   try {
@@ -167,10 +173,11 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace cabinet_articulation;
-  return runProgram("process_bag", kUsage, [&] {
+  const std::string usage = std::string(kUsage) + kBagInputUsage;
+  return runProgram("process_bag", usage.c_str(), [&] {
     const auto options = parseOptions(argc, argv);
     if (options) return run(*options);
-    std::printf("%s", kUsage);
+    std::printf("%s", usage.c_str());
     return 0;
   });
 }

@@ -112,7 +112,9 @@ void writeFrame(char kind, BagWriter* bag) {
 /// The way of process_bag from a file to the frames.
 void readFrames(const std::string& path, const std::string& kind) {
   static core::PlaneSegmenter segmenter{core::PlanesConfig()};
-  FrameBag bag(path, kind, "");
+  FrameBagOptions options;
+  options.input.kind = kind;
+  FrameBag bag(path, options);
   const BagTransforms transforms(bag.bag());
   SkippedFrames skipped;
   const auto use = [&](const std_msgs::Header& header, const FrameViews& views) {

@@ -84,6 +84,28 @@ class Metadata(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertIn('checked 1 packages and found 0 problems', run.stdout)
 
+    def test_a_bag_is_replayed_with_every_argument_of_the_pipeline(self):
+        arguments = {name: dict(re.findall(r'<arg name="(\w+)" default="([^"]*)"', (ROOT / 'launch' / name).read_text()))
+                     for name in ('pipeline.launch', 'replay.launch')}
+        self.assertTrue(arguments['pipeline.launch'])
+        self.assertEqual({}, {key: value for key, value in arguments['pipeline.launch'].items()
+                              if arguments['replay.launch'].get(key) != value})
+
+    def test_the_topics_of_each_camera_are_documented(self):
+        def arguments(name):
+            return dict(re.findall(r'<arg name="(\w+)" (?:default|value)="([^"]*)"', (ROOT / 'launch' / name).read_text()))
+
+        rows = [line.split(' | ') for line in (ROOT / 'doc/inputs.md').read_text().splitlines() if 'launch/' in line and ' | ' in line]
+        documented = set()
+        for camera, start, topics, *_ in rows:
+            launch = re.search(r'\(\.\./launch/(\w+\.launch)\)', start).group(1)
+            values = {**arguments('pipeline.launch'), **arguments(launch), **dict(re.findall(r'(\w+):=(\S+?)`', start))}
+            depth = values['input'] == 'depth'
+            names = ('depth_image', 'depth_info') if depth else ('left_image', 'left_info', 'right_image', 'right_info')
+            self.assertEqual([values[name] for name in names], re.findall(r'`([^`]+)`', topics), camera)
+            documented.add(launch)
+        self.assertEqual({'pipeline.launch', 'realsense.launch', 'kinect.launch', 'pr2.launch'}, documented)
+
     def test_every_message_and_source_is_built(self):
         cmake = (ROOT / 'CMakeLists.txt').read_text()
         for path in sorted([*(ROOT / 'msg').glob('*.msg'), *(ROOT / 'srv').glob('*.srv')]):

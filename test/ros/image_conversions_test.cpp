@@ -55,6 +55,50 @@ TEST(CameraConversion, NamesTopicAndElementOfABadCalibration) {
             "/stereo/right/camera_info: size is 640x240, expected that of /stereo/left/camera_info, 320x240");
 }
 
+/// A CameraInfo of the full sensor, of which a region is read with every second pixel.
+sensor_msgs::CameraInfo croppedAndBinned(sensor_msgs::CameraInfo info) {
+  info.binning_x = 2;
+  info.binning_y = 4;
+  info.roi.x_offset = 40;
+  info.roi.y_offset = 20;
+  info.roi.width = 160;
+  info.roi.height = 120;
+  return info;
+}
+
+TEST(CameraConversion, RegionOfInterestAndBinningChangeTheCamera) {
+  core::StereoCamera full = smallCamera();
+  full.cx_difference = 4;
+  const sensor_msgs::CameraInfo left = croppedAndBinned(cameraInfo(full, false)),
+                                right = croppedAndBinned(cameraInfo(full, true));
+  const core::StereoCamera pair = toStereoCamera(left, right, "l", "r");
+  EXPECT_EQ(cv::Size(pair.width, pair.height), cv::Size(80, 30));
+  EXPECT_EQ(pair.fx, full.fx / 2);
+  EXPECT_EQ(pair.fy, full.fy / 4);
+  EXPECT_EQ(pair.cx, (full.cx - 40) / 2);
+  EXPECT_EQ(pair.cy, (full.cy - 20) / 4);
+  EXPECT_NEAR(pair.baseline, full.baseline, 1e-15);
+  EXPECT_EQ(pair.cx_difference, 2);
+
+  const core::StereoCamera depth = toDepthCamera(left, "t", 0.075);
+  EXPECT_EQ(cv::Size(depth.width, depth.height), cv::Size(80, 30));
+  EXPECT_EQ(depth.fx, pair.fx);
+  EXPECT_EQ(depth.cy, pair.cy);
+
+  core::StereoCamera seen = pair;
+  seen.cx_difference = 0;
+  const auto disparity = disparityImage(seen, exampleHeader(), [](int, int) { return 1.F; });
+  const core::StereoCamera camera = toDisparityCamera(disparity, "d", left, "l", &right);
+  EXPECT_EQ(cv::Size(camera.width, camera.height), cv::Size(80, 30));
+  EXPECT_NEAR(camera.focalBaseline(), pair.focalBaseline(), 1e-5);
+  EXPECT_EQ(camera.cx, pair.cx);
+}
+
+TEST(CameraConversion, SwappedCalibrationsAreSaid) {
+  const sensor_msgs::CameraInfo left = cameraInfo(smallCamera(), false), right = cameraInfo(smallCamera(), true);
+  EXPECT_NE(pairError(right, left).find("left and right are swapped"), std::string::npos) << pairError(right, left);
+}
+
 TEST(CameraConversion, DepthCameraUsesPAndElseK) {
   sensor_msgs::CameraInfo info = cameraInfo(smallCamera(), false);
   info.P[0] = 290;

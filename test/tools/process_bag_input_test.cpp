@@ -127,7 +127,7 @@ TEST_F(ProcessBagInput, SaysWhatIsMissing) {
   expectFailure("depth.bag out.bag --input disparity",
                 "missing topics:\n  /stereo/left/camera_info (sensor_msgs/CameraInfo)\n"
                 "  /stereo/disparity (stereo_msgs/DisparityImage)\nin the bag are:");
-  expectFailure("depth.bag out.bag", "/camera/depth/image_raw (sensor_msgs/Image)");
+  expectFailure("depth.bag out.bag --input stereo", "/camera/depth/image_raw (sensor_msgs/Image)");
   expectFailure("depth.bag out.bag --input sound", "input is 'sound', expected stereo, disparity or depth");
 }
 
@@ -137,8 +137,11 @@ TEST_F(ProcessBagInput, AsksWhichOfSeveralItIs) {
   bag.write("/back/depth/image", ros::Time(100), imageOf(cv::Mat1w(480, 640, 1000), ros::Time(100), "16UC1"));
   bag.write("/back/depth/camera_info", ros::Time(100), infoOf(simulation_->camera(), false, ros::Time(100)));
   bag.close();
-  expectFailure("two.bag out.bag --input depth", "2 others fit, choose one by its --camera");
+  expectFailure(
+      "two.bag out.bag --input depth",
+      "2 inputs fit, choose one:\n  --input depth --depth-image /back/depth/image\n  --input depth --depth-image /front/");
   expectFrames("two.bag out.bag --input depth --camera front");
+  expectFrames("two.bag out.bag --depth-image front/depth/image");
 }
 
 TEST_F(ProcessBagInput, SkipsMessagesThatCannotBeUsed) {

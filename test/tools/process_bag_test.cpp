@@ -159,7 +159,7 @@ TEST_F(ProcessBag, SaysWhatIsWrongWithItsArguments) {
 
 TEST_F(ProcessBag, ListsTheTopicsThereAre) {
   writeGrey("grey.bag");
-  const Outcome outcome = run("grey.bag out.bag --camera narrow");
+  const Outcome outcome = run("grey.bag out.bag --input stereo --camera narrow");
   EXPECT_EQ(outcome.status, 1);
   for (const char* words : {"missing topics", "/narrow/left/image_raw (sensor_msgs/Image)", "/narrow/right/camera_info",
                             "in the bag are", "/stereo/left/image_raw (sensor_msgs/Image)"})

@@ -21,6 +21,9 @@ namespace cabinet_articulation {
  * expected.
  */
 
+/// Of the images that come: those of the CameraInfo's region of interest, reduced by its binning.
+cv::Size imageSize(const sensor_msgs::CameraInfo& info);
+
 /// A rectified pair from the matrices P of its two CameraInfos.
 core::StereoCamera toStereoCamera(const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right,
                                   const std::string& left_topic, const std::string& right_topic);

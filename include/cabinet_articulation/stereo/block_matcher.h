@@ -22,6 +22,7 @@ struct StereoConfig {
   int speckle_size = 100;        ///< [px]
   int speckle_range = 4;         ///< [px]
   bool recover_left_band = true;
+  bool leave_out_unlit = true;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -37,6 +38,8 @@ struct StereoConfig {
     visit("speckle_range", self.speckle_range, Range{0, 1000}, "px", "disparity step that separates two patches");
     visit("recover_left_band", self.recover_left_band,
           "also match the leftmost columns, by padding both images (ours: StereoBM leaves disparity_range columns empty)");
+    visit("leave_out_unlit", self.leave_out_unlit,
+          "leave out frames without the projector's pattern where it is on in others again and again (alternating emitter)");
   }
 };
 
@@ -60,8 +63,9 @@ class BlockMatcher {
   std::unique_ptr<Buffers> buffers_;
 };
 
-/// Depth image (CV_32FC1 metres or CV_16UC1 millimetres) -> the same kind of frame, without images.
-/// Throws std::invalid_argument for another type, or a size that differs from the camera's.
-DepthFrame frameFromDepth(const cv::Mat& depth, const StereoCamera& camera);
+/// Depth image (CV_32FC1 in metres, or CV_16UC1 in `unit` metres) -> the same kind of frame, without images. 0, negative numbers,
+/// NaN and infinities mean that nothing was measured. Throws std::invalid_argument for another type, or a size that differs from
+/// the camera's.
+DepthFrame frameFromDepth(const cv::Mat& depth, const StereoCamera& camera, double unit = 1e-3);
 
 }  // namespace cabinet_articulation::core
