@@ -32,13 +32,49 @@ std::string encodingIn(const std::string& format) {
   return end == std::string::npos ? "" : format.substr(0, end);
 }
 
+unsigned bigEndian(const std::uint8_t* data, int bytes) {
+  unsigned value = 0;
+  for (int i = 0; i < bytes; ++i) value = value << 8U | data[i];
+  return value;
+}
+
+struct Size {
+  unsigned width = 0, height = 0;  ///< [px]
+};
+
+/// As the header of a PNG or JPEG says; 0 by 0 for other bytes. Known before decoding, which makes room for whatever it says.
+Size declaredSize(const std::uint8_t* data, size_t size) {
+  constexpr std::uint8_t kPng[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  if (size >= 24 && std::memcmp(data, kPng, sizeof kPng) == 0) return {bigEndian(data + 16, 4), bigEndian(data + 20, 4)};
+  if (size < 2 || data[0] != 0xff || data[1] != 0xd8) return {};
+  // Segments of a JPEG: 0xff, marker, length with its own two bytes. A frame's go on with precision, height, width.
+  for (size_t at = 2; at + 9 <= size;) {
+    const std::uint8_t marker = data[at + 1];
+    if (data[at] != 0xff || marker == 0xff) {
+      ++at;
+    } else if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) {
+      return {bigEndian(data + at + 7, 2), bigEndian(data + at + 5, 2)};
+    } else {
+      at += 2 + bigEndian(data + at + 2, 2);
+    }
+  }
+  return {};
+}
+
 cv::Mat decode(const std::uint8_t* data, size_t size, const sensor_msgs::CompressedImage& message, const std::string& topic) {
   cv::Mat image;
-  try {
-    if (size > 0)
+  const Size declared = declaredSize(data, size);
+  if (declared.width > 0 && declared.height > 0) {
+    try {
+      core::requireWithin("width", declared.width, core::limits::kImageSide);
+      core::requireWithin("height", declared.height, core::limits::kImageSide);
+      core::requireWithin("width * height", static_cast<double>(declared.width) * declared.height, core::limits::kImageArea);
       image = cv::imdecode(cv::Mat(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(data)), cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception& error) {
-    fail(topic, "cannot be decoded: " + error.err);
+    } catch (const cv::Exception& error) {
+      fail(topic, "cannot be decoded: " + error.err);
+    } catch (const std::invalid_argument& error) {
+      fail(topic, error.what());
+    }
   }
   if (image.empty())
     fail(topic, "format is '" + message.format + "' with " + std::to_string(message.data.size()) +
@@ -104,12 +140,6 @@ sensor_msgs::ImagePtr decompressed(const sensor_msgs::CompressedImage& message, 
   } else {
     const cv::Mat pixels = decode(message.data.data(), message.data.size(), message, topic);
     image = {message.header, encodingOf(pixels, encodingIn(message.format), topic), pixels};
-  }
-  try {
-    core::requireWithin("width", image.image.cols, core::limits::kImageSide);
-    core::requireWithin("height", image.image.rows, core::limits::kImageSide);
-  } catch (const std::invalid_argument& error) {
-    fail(topic, error.what());
   }
   return image.toImageMsg();
 }
