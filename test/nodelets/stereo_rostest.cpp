@@ -181,6 +181,43 @@ TEST_F(StereoNodelet, NamesAZeroFocalLength) {
   EXPECT_TRUE(goodInputWorks());
 }
 
+TEST_F(StereoNodelet, SaysThatThePairIsSwapped) {
+  const auto publish = [&] {
+    const std_msgs::Header h = header();
+    publishInfos(h);
+    left_.publish(image(true, h));
+    right_.publish(image(false, h));
+  };
+  EXPECT_TRUE(diagnosed(publish, "/left/image_rect and /right/image_rect match only the other way round: are they swapped?"))
+      << reports_.status("stereo");
+  EXPECT_TRUE(goodInputWorks());
+}
+
+TEST_F(StereoNodelet, LeavesOutTheFramesOfAnEmitterThatAlternates) {
+  ASSERT_TRUE(goodInputWorks());
+  std::vector<ros::Time> unlit;
+  const auto publish = [&] {
+    publishGoodFrame();
+    const std_msgs::Header h = header();
+    unlit.push_back(h.stamp);
+    publishInfos(h);
+    for (ros::Publisher* side : {&left_, &right_}) side->publish(test::greyImage(320, 240, h, [](int, int) { return 60; }));
+  };
+  EXPECT_TRUE(diagnosed(publish, "/left/image_rect: the projector's pattern comes and goes from frame to frame"))
+      << reports_.status("stereo");
+  test::spinFor(0.3);
+  disparities_.messages.clear();
+  unlit.clear();
+  for (int i = 0; i < 10; ++i) {
+    publish();
+    test::spinFor(0.1);
+  }
+  EXPECT_FALSE(disparities_.messages.empty());
+  for (const auto& message : disparities_.messages) EXPECT_EQ(std::count(unlit.begin(), unlit.end(), message->header.stamp), 0);
+  EXPECT_TRUE(reports_.statusHas("stereo", "frames without the projector's pattern")) << reports_.status("stereo");
+  EXPECT_TRUE(goodInputWorks());
+}
+
 TEST_F(StereoNodelet, NamesTheTopicThatIsMissing) {
   const auto publish = [&] {
     const std_msgs::Header h = header();

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
+#include <tuple>
 #include <vector>
 
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
@@ -88,15 +89,17 @@ class ProcessBagTopics : public StereoBagFixture {
   }
 
   /// The front of millimetres() is found where it is.
-  void expectFront(const std::string& options) {
+  void expectFront(const std::string& options) { expectFront(options, 200 * 100, 1 / simulation_.camera().fx); }
+
+  /// The same for a front of `area` pixels, each `pixel` metres wide at 1 m.
+  void expectFront(const std::string& options, double area, double pixel) {
     expectFrame(options);
     std::vector<Rectangle> found;
     rosbag::Bag out(path("out.bag"));
     for (const rosbag::MessageInstance& instance : rosbag::View(out, rosbag::TopicQuery("/cabinet/rectangles")))
       found = instance.instantiate<RectangleArray>()->rectangles;
-    const double metre = 1 / simulation_.camera().fx;  // of a pixel at 1 m
-    const auto matches = [metre](const Rectangle& rectangle) {
-      return std::abs(rectangle.width * rectangle.height - 200 * 100 * metre * metre) < 0.003 &&
+    const auto matches = [area, pixel](const Rectangle& rectangle) {
+      return std::abs(rectangle.width * rectangle.height - area * pixel * pixel) < 0.003 &&
              std::abs(rectangle.pose.pose.position.z - 1) < 0.002;
     };
     EXPECT_EQ(std::count_if(found.begin(), found.end(), matches), 1) << found.size() << " rectangles";
@@ -271,6 +274,35 @@ TEST_F(ProcessBagTopics, CroppedAndBinnedDepth) {
   addImage("/camera/depth/image", binned, "16UC1");
   add("/camera/depth/camera_info", info);
   expectFront("");
+}
+
+/// A RealSense's sizes and fields of view.
+TEST_F(ProcessBagTopics, WideDepthImages) {
+  for (const auto& [width, height, f] : {std::tuple(848, 480, 425.0), std::tuple(1280, 720, 640.0)}) {
+    cv::Mat1w depth(height, width, 1500);
+    depth(cv::Rect(width / 2 - 50, height / 2 - 60, 240, 160)) = 1000;
+    bag_.close();
+    bag_.open(path("in.bag"), rosbag::bagmode::Write);
+    addImage("/camera/depth/image_rect_raw", depth, "16UC1");
+    add("/camera/depth/camera_info", infoOf({width, height, f, f, width / 2 - 0.5, height / 2 - 0.5, 0, 0}, false, kStamp));
+    expectFront("", 240 * 160, 1 / f);
+  }
+}
+
+/// As drivers make it: the colour camera's intrinsics, rows and columns that no depth pixel falls on, and nothing beside the
+/// front, where only the colour camera sees the wall.
+TEST_F(ProcessBagTopics, DepthThatIsRegisteredToColour) {
+  constexpr double kFocalLength = 920;
+  cv::Mat1w depth(720, 1280, 1500);
+  const cv::Rect front(500, 200, 400, 250);
+  depth(front) = 1000;
+  depth(cv::Rect(front.x - 24, front.y, 24, front.height)) = 0;
+  for (int v = 0; v < depth.rows; v += 7) depth.row(v) = 0;
+  for (int u = 3; u < depth.cols; u += 5) depth.col(u) = 0;
+  addImage("/camera/depth_registered/image_raw", depth, "16UC1");
+  const core::StereoCamera colour{1280, 720, kFocalLength, kFocalLength, 651, 354, 0, 0};
+  add("/camera/depth_registered/camera_info", infoOf(colour, false, kStamp));
+  expectFront("", front.area(), 1 / kFocalLength);
 }
 
 TEST_F(ProcessBagTopics, ASwappedPairIsSaidInWords) {
