@@ -25,7 +25,9 @@ FrameInput::FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config
           },
           [this](const std::string& why) {
             if (left_out_) left_out_(why);
-          }) {}
+          }) {
+  requireInstalled(nh, transport_);
+}
 
 void FrameInput::subscribe(const FrameAssembler::Callback& complete, const FrameAssembler::LeftOut& left_out) {
   complete_ = complete;

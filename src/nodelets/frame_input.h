@@ -16,6 +16,7 @@ namespace cabinet_articulation {
 class FrameInput {
  public:
   /// What a callback throws goes to the guard.
+  /// Throws std::runtime_error for a transport that is not installed.
   FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync,
              const ImageTransportConfig& transport, const CallbackGuard& guard);
 

@@ -47,6 +47,7 @@ class OverlayStage : public StageNodelet {
 
   void start() override {
     loadSettings(input_, transport_);
+    requireInstalled(getNodeHandle(), transport_.image_transport);
     for (const WatchedSubscriber* topic : {&image_topic_, &info_topic_, &rectangles_topic_}) require(topic);
     overlay_ = advertise<sensor_msgs::Image>("overlay");
     markers_ = advertise<visualization_msgs::MarkerArray>("markers");

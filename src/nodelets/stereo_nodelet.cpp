@@ -28,6 +28,7 @@ class StereoStage : public StageNodelet {
     core::StereoConfig config;
     SyncConfig sync;
     loadSettings(config, sync, transport_);
+    requireInstalled(getNodeHandle(), transport_.image_transport);
     matcher_ = std::make_unique<core::BlockMatcher>(config);
     offerTuning<core::StereoConfig>(config,
                                     [this](const auto& tuned) { matcher_ = std::make_unique<core::BlockMatcher>(tuned); });

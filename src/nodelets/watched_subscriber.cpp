@@ -6,26 +6,27 @@
 namespace cabinet_articulation {
 namespace {
 
-std::string installedTransports(const image_transport::ImageTransport& images) {
-  std::string names;
-  for (const std::string& name : images.getLoadableTransports())
-    names += (names.empty() ? "" : ", ") + name.substr(name.rfind('/') + 1);
-  return names;
-}
+constexpr char kRaw[] = "raw";
 
 }  // namespace
 
+void requireInstalled(const ros::NodeHandle& nh, const std::string& transport) {
+  if (transport == kRaw) return;
+  std::string installed;
+  for (const std::string& plugin : image_transport::ImageTransport(nh).getLoadableTransports()) {
+    const std::string name = plugin.substr(plugin.rfind('/') + 1);
+    if (name == transport) return;
+    installed += (installed.empty() ? "" : ", ") + name;
+  }
+  throw std::runtime_error("setting 'image_transport' is '" + transport + "', expected one that is installed: " + installed);
+}
+
 void WatchedSubscriber::subscribeImage(ros::NodeHandle& nh, const std::string& topic, const std::string& transport,
                                        const CallbackGuard& guard, const Callback<sensor_msgs::Image>& callback) {
-  const std::string resolved = nh.resolveName(topic) + (transport == "raw" ? "" : "/" + transport);
+  const std::string resolved = nh.resolveName(topic) + (transport == kRaw ? "" : "/" + transport);
   image_transport::ImageTransport images(nh);
   const image_transport::TransportHints hints(transport, ros::TransportHints().tcpNoDelay());
-  try {
-    set({{}, images.subscribe(topic, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
-  } catch (const image_transport::TransportLoadException&) {
-    throw std::runtime_error(resolved + ": image_transport is '" + transport +
-                             "', expected one that is installed: " + installedTransports(images));
-  }
+  set({{}, images.subscribe(topic, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
 }
 
 std::uint32_t WatchedSubscriber::publishers() const {

@@ -15,6 +15,9 @@
 
 namespace cabinet_articulation {
 
+/// Throws std::runtime_error that names the transports of image_transport that are installed, unless this is one of them.
+void requireInstalled(const ros::NodeHandle& nh, const std::string& transport);
+
 /// A subscription that knows since when it has been silent. The callback gets the publisher's own message, and what it throws
 /// goes to the guard. So does a message whose stamp is beyond all use.
 class WatchedSubscriber {
@@ -30,8 +33,7 @@ class WatchedSubscriber {
     set({nh.subscribe<Message>(topic, kQueue, heard<Message>(resolved, guard, callback), ros::VoidConstPtr(), hints), {}});
   }
 
-  /// An image by a transport of image_transport: raw, compressed or compressedDepth. Throws std::runtime_error that names those
-  /// that are installed.
+  /// An image by a transport of image_transport that is installed: raw, compressed or compressedDepth.
   void subscribeImage(ros::NodeHandle& nh, const std::string& topic, const std::string& transport, const CallbackGuard& guard,
                       const Callback<sensor_msgs::Image>& callback);
 

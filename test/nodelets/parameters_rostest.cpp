@@ -52,6 +52,18 @@ TEST_F(Parameters, WhatTheStageItselfRefusesIsToldWithTheNodeletsName) {
   EXPECT_TRUE(reports_.statusHas("even_window", "correlation_window_size")) << reports_.status("even_window");
 }
 
+TEST_F(Parameters, AnImageTransportThatIsNotInstalledIsRefusedWithThoseThatAre) {
+  for (const char* stage : {"stereo", "planes", "rectangles", "overlay"}) {
+    const std::string name = std::string("transport/") + stage;
+    load(name, stage);
+    const auto says = [&](const char* text) { return reports_.statusHas(name, text); };
+    EXPECT_TRUE(spinUntil([&] {
+      return says("not running: ") && says("setting 'image_transport' is 'pigeon', expected one that is installed: ") &&
+             says("raw");
+    })) << reports_.status(name);
+  }
+}
+
 TEST_F(Parameters, RectanglesRefinesPlanesBySettingsOfThePlanesStageBesideIt) {
   load("beside/rectangles", "rectangles");
   EXPECT_TRUE(spinUntil([&] { return reports_.statusHas("beside/rectangles", "not running: "); }));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
 #include "support/ros_messages.h"
@@ -198,6 +199,7 @@ TEST_F(StereoNodelet, LeavesOutTheFramesOfAnEmitterThatAlternates) {
   std::vector<ros::Time> unlit;
   const auto publish = [&] {
     publishGoodFrame();
+    test::spinFor(0.05);  // the stage takes the newest frame
     const std_msgs::Header h = header();
     unlit.push_back(h.stamp);
     publishInfos(h);
@@ -214,7 +216,7 @@ TEST_F(StereoNodelet, LeavesOutTheFramesOfAnEmitterThatAlternates) {
   }
   EXPECT_FALSE(disparities_.messages.empty());
   for (const auto& message : disparities_.messages) EXPECT_EQ(std::count(unlit.begin(), unlit.end(), message->header.stamp), 0);
-  EXPECT_TRUE(reports_.statusHas("stereo", "frames without the projector's pattern")) << reports_.status("stereo");
+  EXPECT_GE(std::atoi(reports_.value("stereo", "frames without the projector's pattern").c_str()), 10);
   EXPECT_TRUE(goodInputWorks());
 }
 

@@ -52,12 +52,13 @@ class Recorder {
 class Reports {
  public:
   /// The newest message of the status whose name contains `name`; empty before the first.
-  std::string status(const std::string& name) const {
-    std::string message;
-    for (const auto& array : diagnostics_.messages)
-      for (const auto& entry : array->status)
-        if (entry.name.find(name) != std::string::npos) message = entry.message;
-    return message;
+  std::string status(const std::string& name) const { return newest(name).message; }
+
+  /// The newest value of `key` beside it; empty if there is none.
+  std::string value(const std::string& name, const std::string& key) const {
+    for (const diagnostic_msgs::KeyValue& entry : newest(name).values)
+      if (entry.key == key) return entry.value;
+    return "";
   }
 
   bool statusHas(const std::string& name, const std::string& text) const { return status(name).find(text) != std::string::npos; }
@@ -72,6 +73,14 @@ class Reports {
   }
 
  private:
+  diagnostic_msgs::DiagnosticStatus newest(const std::string& name) const {
+    diagnostic_msgs::DiagnosticStatus found;
+    for (const auto& array : diagnostics_.messages)
+      for (const auto& entry : array->status)
+        if (entry.name.find(name) != std::string::npos) found = entry;
+    return found;
+  }
+
   Recorder<diagnostic_msgs::DiagnosticArray> diagnostics_{"/diagnostics"};
   Recorder<rosgraph_msgs::Log> log_{"/rosout"};
 };
