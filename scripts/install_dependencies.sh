@@ -17,7 +17,7 @@ debian_packages=(
   librostest-dev python3-rostest libroslib-dev
   libnodelet-dev libnodeletlib-dev libnodeletlib-tools pluginlib-dev
   libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libtf2-msgs-dev tf2-tools
-  libmessage-filters-dev libcv-bridge-dev libimage-transport-dev libimage-geometry-dev libimage-proc-dev ros-image-proc
+  libmessage-filters-dev libcv-bridge-dev libimage-transport-dev libimage-geometry-dev
   libcamera-calibration-parsers-dev
   libstereo-image-proc-dev ros-stereo-image-proc
   ros-robot-state-publisher joint-state-publisher

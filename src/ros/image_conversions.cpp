@@ -104,6 +104,12 @@ void requireSane(const Plane& message) {
   }
 }
 
+void requireSize(const cv::Size& size, const cv::Size& expected, const std::string& topic) {
+  if (size != expected)
+    fail(topic, "size is " + sizeText(size.width, size.height) + ", expected " + sizeText(expected.width, expected.height) +
+                    " as its CameraInfo says");
+}
+
 }  // namespace
 
 cv::Size imageSize(const sensor_msgs::CameraInfo& info) {
@@ -177,9 +183,11 @@ cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, cons
 }
 
 void requireSize(const cv::Mat& image, const core::StereoCamera& camera, const std::string& topic) {
-  if (image.cols == camera.width && image.rows == camera.height) return;
-  fail(topic, "size is " + sizeText(image.cols, image.rows) + ", expected " + sizeText(camera.width, camera.height) +
-                  " as its CameraInfo says");
+  requireSize(image.size(), {camera.width, camera.height}, topic);
+}
+
+void requireSize(const cv::Mat& image, const sensor_msgs::CameraInfo& info, const std::string& topic) {
+  requireSize(image.size(), imageSize(info), topic);
 }
 
 cv::Mat1f toDisparities(const stereo_msgs::DisparityImage& message, const std::string& topic, const core::StereoCamera& camera) {

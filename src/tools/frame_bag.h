@@ -10,7 +10,7 @@
 #include "ros/frame_assembler.h"
 #include "stereo/pair_watch.h"
 #include "tools/bag_input.h"
-#include "tools/rectifier.h"
+#include "ros/rectifier.h"
 #include "tools/skipped_frames.h"
 
 namespace cabinet_articulation {

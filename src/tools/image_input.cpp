@@ -8,7 +8,7 @@
 
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "config/ordinary_file.h"
-#include "tools/rectifier.h"
+#include "ros/rectifier.h"
 
 namespace cabinet_articulation {
 namespace {

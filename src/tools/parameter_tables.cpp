@@ -28,6 +28,7 @@ ParameterTable table(const std::string& nodelet) {
 
 const std::vector<ParameterTable>& parameterTables() {
   static const std::vector<ParameterTable> tables{
+      table<ImageTransportConfig, StageSettings>("rectify"),
       table<core::StereoConfig, SyncConfig, ImageTransportConfig, StageSettings>("stereo"),
       table<core::PlanesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("planes"),
       table<core::RectanglesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("rectangles"),

@@ -35,7 +35,7 @@ def running(state, page):
 class Documentation(unittest.TestCase):
     def test_pages_name_what_there_is(self):
         pages = sorted(path.stem for path in PAGES.glob('*.md'))
-        self.assertEqual(len(pages), 7)
+        self.assertEqual(len(pages), 8)
         master = rosgraph.Master('/documentation_test')
         end = time.time() + 30
         while True:

@@ -46,6 +46,7 @@ cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, cons
 
 /// Throws unless the image has the size that its camera's CameraInfo names.
 void requireSize(const cv::Mat& image, const core::StereoCamera& camera, const std::string& topic);
+void requireSize(const cv::Mat& image, const sensor_msgs::CameraInfo& info, const std::string& topic);
 
 /// A view of the disparities. Only where the matcher's mark for "no match" (min_disparity - 1, as stereo_image_proc
 /// writes it) is a positive number and would pass for a disparity, a copy with those pixels set to 0.

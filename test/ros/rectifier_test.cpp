@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/rectifier.h"
+#include "ros/rectifier.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/rectifier.h"
+#include "ros/rectifier.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,8 +15,8 @@ cv::Mat Rectifier::operator()(const cv::Mat& image, const sensor_msgs::CameraInf
     model_.fromCameraInfo(calibration);
     model_.rectifyImage(image, rectified);
   } catch (const image_geometry::Exception&) {
-    throw std::runtime_error("distortion model '" + info.distortion_model +
-                             "' is not known, expected plumb_bob, rational_polynomial or equidistant");
+    throw std::runtime_error("distortion_model is '" + info.distortion_model +
+                             "', expected plumb_bob, rational_polynomial, or equidistant with image_geometry 1.16 or later");
   } catch (const cv::Exception& error) {
     throw std::runtime_error("CameraInfo describes no lens that images can be rectified for: " + error.err);
   }

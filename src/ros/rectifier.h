@@ -8,12 +8,12 @@
 
 namespace cabinet_articulation {
 
-/// One camera's images, rectified to the same bytes as by image_proc's nodelet: that takes images without distortion (D = 0) for
-/// rectified, whatever R and P say.
+/// One camera's images, rectified by image_geometry to the same bytes as by image_proc: that takes images without distortion
+/// (D = 0) for rectified, whatever R and P say.
 class Rectifier {
  public:
-  /// Returns the image itself if it is rectified already. Throws std::runtime_error for a distortion model that is unknown or
-  /// impossible.
+  /// Returns the image itself if it is rectified already. Throws std::runtime_error for a distortion model that is impossible, or
+  /// unknown to the image_geometry at hand: `equidistant` (fisheye) is, before its version 1.16.
   cv::Mat operator()(const cv::Mat& image, const sensor_msgs::CameraInfo& info);
 
  private:
