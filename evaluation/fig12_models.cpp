@@ -3,11 +3,9 @@
 // paper: openings that were never seen, and whether the published covariances are right.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <opencv2/core/utility.hpp>
-#include <sstream>
 
 #include "articulation/model_registry.h"
 #include "csv_writer.h"
@@ -49,24 +47,10 @@ void runStudy(int runs, Study* study) {
   study->halves = compareHalves(*source);
 }
 
-/// `labels.csv` in the folder names the logs and their types: file,type,...
-std::vector<Study> logStudies(const std::string& folder) {
-  std::vector<Study> studies;
-  if (folder.empty()) return studies;
-  std::ifstream labels(folder + "/labels.csv");
-  if (!labels) throw std::runtime_error("cannot read " + folder + "/labels.csv");
-  std::string line, file, type;
-  std::getline(labels, line);  // header
-  while (std::getline(labels, line)) {
-    std::istringstream cells(line);
-    if (!std::getline(cells, file, ',') || !std::getline(cells, type, ',')) continue;
-    studies.push_back({"logs", [=] { return openPoseLog(folder + "/" + file, file, type); }, {}, {}, {}, {}});
-  }
-  return studies;
-}
-
 std::vector<Study> makeStudies(const Options& options) {
-  std::vector<Study> studies = logStudies(options.text("tracks"));
+  std::vector<Study> studies;
+  for (const LabelledLog& log : findLogs(options.text("tracks")))
+    studies.push_back({"logs", [=] { return openPoseLog(log.path, log.file, log.type); }, {}, {}, {}, {}});
   for (int i = 0; i < options.count("scenes"); ++i)
     for (const char* scene : {"door", "drawer"}) {
       SimulationConfig config;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "tools/pose_log.h"
@@ -42,6 +44,20 @@ class PoseLogSource : public TrackSource {
 };
 
 }  // namespace
+
+std::vector<LabelledLog> findLogs(const std::string& folder) {
+  std::vector<LabelledLog> logs;
+  if (folder.empty()) return logs;
+  std::ifstream labels(folder + "/labels.csv");
+  if (!labels) throw std::runtime_error("cannot read " + folder + "/labels.csv");
+  std::string line, file, type;
+  std::getline(labels, line);  // header
+  while (std::getline(labels, line)) {
+    std::istringstream cells(line);
+    if (std::getline(cells, file, ',') && std::getline(cells, type, ',')) logs.push_back({folder + "/" + file, file, type});
+  }
+  return logs;
+}
 
 std::unique_ptr<TrackSource> openPoseLog(const std::string& path, const std::string& name, const std::string& type) {
   return std::make_unique<PoseLogSource>(path, name, type);

@@ -48,6 +48,14 @@ class TrackSource {
 /// its true pose in the source's world. Holds all frames.
 std::unique_ptr<TrackSource> trackFrames(FrameSource& frames);
 
+/// A log in a folder, and how its front moves.
+struct LabelledLog {
+  std::string path, file, type;
+};
+
+/// `labels.csv` in the folder names the logs and their types (file,type,...); none for an empty name. Throws std::runtime_error.
+std::vector<LabelledLog> findLogs(const std::string& folder);
+
 /// A log of poses in a text file (3, 7 or 9 columns). The reference is the log itself. `type` is rigid, prismatic,
 /// rotational or other. Throws std::runtime_error for another type or a bad file.
 std::unique_ptr<TrackSource> openPoseLog(const std::string& path, const std::string& name, const std::string& type);

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestChain = 40;  // links, as the kernel has it
+constexpr int kLongestChain = 40;  // symbolic links, as path_resolution(7)
 constexpr int kMostKept = 100;
 constexpr std::chrono::seconds kPatience{20};
 constexpr std::chrono::milliseconds kPause{5};

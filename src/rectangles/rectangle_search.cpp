@@ -11,7 +11,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kRowShare = 0.25;  ///< of a step: rows between those that are looked at
-constexpr double kMaxRowStep = 8;   ///< [px]
+constexpr double kMaxRowStep = 8;   ///< [px] ours: the smallest drawers are some 60 px high
 constexpr int kMaxSweeps = 20;      ///< per step length; a guard, some five are usual
 
 class GreedySearch {

@@ -58,6 +58,7 @@ class ProgramsTest : public testing::Test {
     ASSERT_EQ(run("fig03_depth_error", "--distances 1"), 0);
     ASSERT_EQ(run("fig11_detection", "--poses 8 --scenes 0 --failures " + (folder() / "failures").string()), 0);
     ASSERT_EQ(run("fig12_models", "--runs 2 --scenes 0 --fronts 5 --tracks " + folder().string()), 0);
+    ASSERT_EQ(run("learner_answers", "--tracks " + folder().string()), 0);
     for (const std::string script : {"/plot.py ", "/summarize.py "})
       ASSERT_EQ(std::system(("/usr/bin/python3 " SCRIPTS + script + folder().string() + " >/dev/null").c_str()), 0);
   }
@@ -112,6 +113,28 @@ TEST_F(ProgramsTest, Models) {
   EXPECT_LT(std::stod(curve.back().at("error_mm_mean")), 5);  // the log wobbles by 8 mm
   EXPECT_EQ(readTable(folder() / "fig12_unseen.csv").size(), 2U);
   EXPECT_EQ(readTable(folder() / "fig12_intervals.csv").size(), 7U);
+}
+
+TEST_F(ProgramsTest, AnswersAreComparedValueByValue) {
+  std::string text = readText(folder() / "answers.csv");
+  const auto write = [&](const char* name) {
+    std::ofstream(folder() / name) << text;
+    return (folder() / name).string();
+  };
+  const auto same = [&](const std::string& changed) {
+    const std::string before = (folder() / "answers.csv").string();
+    return std::system(("/usr/bin/python3 " SCRIPTS "/compare_answers.py " + before + " " + changed + " >/dev/null").c_str()) ==
+           0;
+  };
+  EXPECT_TRUE(same(write("same.csv")));
+  // After all 100 poses the front is a drawer.
+  const std::string type = "drawer.txt,after100,type,1\n";
+  const std::size_t at = text.find(type);
+  ASSERT_NE(at, std::string::npos);
+  text[at + type.size() - 2] = '2';
+  EXPECT_FALSE(same(write("other_type.csv")));
+  text.erase(at, type.size());
+  EXPECT_FALSE(same(write("without_type.csv")));
 }
 
 TEST_F(ProgramsTest, Figures) {
