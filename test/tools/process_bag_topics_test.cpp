@@ -144,7 +144,7 @@ TEST_F(ProcessBagTopics, RectifiedImagesAreTakenAsTheyAre) {
   add("/a/left_info", left);
   add("/a/right_info", right);
   const std::string topics = "--left-image a/left --left-info a/left_info --right-image a/right --right-info a/right_info";
-  expectWords(topics, 1, "distortion model 'unknown to OpenCV' is not known");
+  expectWords(topics, 1, "distortion_model is 'unknown to OpenCV', expected plumb_bob");
   expectFrame(topics + " --rectified");
 }
 
