@@ -12,9 +12,10 @@ FrameTopics resolved(const ros::NodeHandle& nh, FrameTopics topics) {
 
 }  // namespace
 
-FrameInput::FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync,
-                       const ImageTransportConfig& transport, const CallbackGuard& guard)
+FrameInput::FrameInput(const ros::NodeHandle& nh, const ros::NodeHandle& parameters, const FrameInputConfig& config,
+                       const SyncConfig& sync, const ImageTransportConfig& transport, const CallbackGuard& guard)
     : nh_(nh),
+      parameters_(parameters),
       input_(config.input),
       transport_(transport.image_transport),
       guard_(guard),
@@ -36,13 +37,16 @@ void FrameInput::subscribe(const FrameAssembler::Callback& complete, const Frame
   info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.info, guard_,
                                                  [this](const auto& info) { assembler_.addInfo(info); });
   if (input_ == "depth") {
-    frame_topic_.subscribeImage(nh_, topics.frame, transport_, guard_, [this](const auto& depth) { assembler_.addDepth(depth); });
+    frame_topic_.subscribeImage(nh_, parameters_, topics.frame, transport_, guard_,
+                                [this](const auto& depth) { assembler_.addDepth(depth); });
     return;
   }
   right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh_, topics.right_info, guard_,
                                                        [this](const auto& info) { assembler_.addRightInfo(info); });
-  left_topic_.subscribeImage(nh_, topics.left, transport_, guard_, [this](const auto& image) { assembler_.addLeft(image); });
-  right_topic_.subscribeImage(nh_, topics.right, transport_, guard_, [this](const auto& image) { assembler_.addRight(image); });
+  left_topic_.subscribeImage(nh_, parameters_, topics.left, transport_, guard_,
+                             [this](const auto& image) { assembler_.addLeft(image); });
+  right_topic_.subscribeImage(nh_, parameters_, topics.right, transport_, guard_,
+                              [this](const auto& image) { assembler_.addRight(image); });
   frame_topic_.subscribe<stereo_msgs::DisparityImage>(nh_, topics.frame, guard_,
                                                       [this](const auto& disparity) { addDisparity(disparity); });
 }

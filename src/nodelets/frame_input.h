@@ -17,7 +17,7 @@ class FrameInput {
  public:
   /// What a callback throws goes to the guard.
   /// Throws std::runtime_error for a transport that is not installed.
-  FrameInput(const ros::NodeHandle& nh, const FrameInputConfig& config, const SyncConfig& sync,
+  FrameInput(const ros::NodeHandle& nh, const ros::NodeHandle& parameters, const FrameInputConfig& config, const SyncConfig& sync,
              const ImageTransportConfig& transport, const CallbackGuard& guard);
 
   /// The callbacks (may be empty) are those of FrameAssembler.
@@ -35,7 +35,7 @@ class FrameInput {
  private:
   void addDisparity(const stereo_msgs::DisparityImageConstPtr& disparity);
 
-  ros::NodeHandle nh_;
+  ros::NodeHandle nh_, parameters_;
   std::string input_, transport_;
   CallbackGuard guard_;
   FrameAssembler::Callback complete_;

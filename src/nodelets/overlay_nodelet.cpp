@@ -19,9 +19,10 @@ constexpr double kFarthest = 4;            // [m] white in a picture made from d
 constexpr double kTransformTimeout = 0.1;  // [s]
 
 /// Something to draw on: the left image, or a depth image in grey.
-cv::Mat3b background(const sensor_msgs::ImageConstPtr& message, const std::string& topic, bool is_depth) {
-  cv::Mat grey = is_depth ? toImage(message, topic)->image : toMono(message, topic)->image;
-  if (is_depth) grey.convertTo(grey, CV_8U, 255 / (kFarthest * (grey.depth() == CV_16U ? 1000 : 1)));
+cv::Mat3b background(const sensor_msgs::ImageConstPtr& message, const std::string& topic, const FrameInputConfig& input) {
+  const bool is_depth = input.input == "depth";
+  cv::Mat grey = is_depth ? toDepth(message, topic)->image : toMono(message, topic)->image;
+  if (is_depth) grey.convertTo(grey, CV_8U, 255 / kFarthest * (grey.depth() == CV_16U ? input.depth_scale : 1));
   cv::Mat3b bgr;
   cv::cvtColor(grey, bgr, cv::COLOR_GRAY2BGR);
   return bgr;
@@ -60,8 +61,8 @@ class OverlayStage : public StageNodelet {
     const std::string camera = fromDepth() ? "depth/" : "left/";
     info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, camera + "camera_info", guard(),
                                                    [this](const auto& info) { info_ = info; });
-    image_topic_.subscribeImage(nh, camera + (fromDepth() ? "image" : "image_rect"), transport_.image_transport, guard(),
-                                [this](const auto& image) { images_.add(image); });
+    image_topic_.subscribeImage(nh, getPrivateNodeHandle(), camera + (fromDepth() ? "image" : "image_rect"),
+                                transport_.image_transport, guard(), [this](const auto& image) { images_.add(image); });
     rectangles_topic_.subscribe<RectangleArray>(nh, "rectangles", guard(), [this](const auto& rectangles) {
       recent_rectangles_.add(rectangles);
       if (models_topic_.publishers() == 0) put({images_.find(rectangles->header.stamp), info_, rectangles, nullptr});
@@ -115,7 +116,7 @@ class OverlayStage : public StageNodelet {
           transforms_.lookup(header.frame_id, input.models->header.frame_id, header.stamp, kTransformTimeout);
       for (core::LearnedModel& model : models) model = transformed(model, T_camera_fixed);
     }
-    cv::Mat3b image = background(input.image, image_topic_.topic(), fromDepth());
+    cv::Mat3b image = background(input.image, image_topic_.topic(), input_);
     drawOverlay(camera, rectangles, models, &image);
     publish(overlay_, *cv_bridge::CvImage(header, sensor_msgs::image_encodings::BGR8, image).toImageMsg());
   }

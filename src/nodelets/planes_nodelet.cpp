@@ -35,7 +35,7 @@ class PlanesStage : public StageNodelet {
     segmenter_ = std::make_unique<core::PlaneSegmenter>(config);
     offerTuning<core::PlanesConfig>(config,
                                     [this](const auto& tuned) { segmenter_ = std::make_unique<core::PlaneSegmenter>(tuned); });
-    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, transport, guard());
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), getPrivateNodeHandle(), input, sync, transport, guard());
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     planes_ = advertise<PlaneArray>("planes");
   }

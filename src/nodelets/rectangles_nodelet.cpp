@@ -46,7 +46,7 @@ class RectanglesStage : public StageNodelet {
     };
     apply(config);
     offerTuning<core::RectanglesConfig>(config, apply);
-    frames_ = std::make_unique<FrameInput>(getNodeHandle(), input, sync, transport, guard());
+    frames_ = std::make_unique<FrameInput>(getNodeHandle(), getPrivateNodeHandle(), input, sync, transport, guard());
     require(&planes_topic_);
     for (const WatchedSubscriber* topic : frames_->required()) require(topic);
     rectangles_ = advertise<RectangleArray>("rectangles");

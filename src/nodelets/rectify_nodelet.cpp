@@ -29,7 +29,7 @@ class RectifyStage : public StageNodelet {
       if (early_) process(early_);
       early_.reset();
     });
-    image_.subscribeImage(nh, "image_raw", transport_.image_transport, guard(),
+    image_.subscribeImage(nh, getPrivateNodeHandle(), "image_raw", transport_.image_transport, guard(),
                           [this](const auto& image) { info_ ? process(image) : wait(image); });
   }
 
@@ -63,7 +63,7 @@ class RectifyStage : public StageNodelet {
   cv::Mat rectify(const cv::Mat& image) {
     try {
       return rectifier_(image, *info_);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       throw std::runtime_error(info_topic_.topic() + ": " + error.what());
     }
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <atomic>
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -29,12 +30,16 @@ class StereoStage : public StageNodelet {
     SyncConfig sync;
     loadSettings(config, sync, transport_);
     requireInstalled(getNodeHandle(), transport_.image_transport);
-    matcher_ = std::make_unique<core::BlockMatcher>(config);
-    offerTuning<core::StereoConfig>(config,
-                                    [this](const auto& tuned) { matcher_ = std::make_unique<core::BlockMatcher>(tuned); });
+    build(config);
+    offerTuning<core::StereoConfig>(config, [this](const auto& tuned) { build(tuned); });
     pairs_ = std::make_unique<PairMatcher<sensor_msgs::Image>>(sync.tolerance());
     for (const WatchedSubscriber* input : {&left_, &right_, &left_info_topic_, &right_info_topic_}) require(input);
     disparity_ = advertise<stereo_msgs::DisparityImage>("disparity");
+  }
+
+  void build(const core::StereoConfig& config) {
+    matcher_ = std::make_unique<core::BlockMatcher>(config);
+    leave_out_unlit_ = config.leave_out_unlit;
   }
 
   void subscribe() override {
@@ -43,9 +48,9 @@ class StereoStage : public StageNodelet {
                                                         [this](const auto& info) { addInfo(info, &left_info_); });
     right_info_topic_.subscribe<sensor_msgs::CameraInfo>(nh, "right/camera_info", guard(),
                                                          [this](const auto& info) { addInfo(info, &right_info_); });
-    left_.subscribeImage(nh, "left/image_rect", transport_.image_transport, guard(),
+    left_.subscribeImage(nh, getPrivateNodeHandle(), "left/image_rect", transport_.image_transport, guard(),
                          [this](const auto& image) { add(Side::kLeft, image); });
-    right_.subscribeImage(nh, "right/image_rect", transport_.image_transport, guard(),
+    right_.subscribeImage(nh, getPrivateNodeHandle(), "right/image_rect", transport_.image_transport, guard(),
                           [this](const auto& image) { add(Side::kRight, image); });
   }
 
@@ -77,8 +82,11 @@ class StereoStage : public StageNodelet {
 
   void workIfComplete() {
     if (!early_pair_ || !left_info_ || !right_info_) return;
-    workOnNewest([this, input = Input{*early_pair_, left_info_, right_info_}] { process(input); });
+    const Input input{*early_pair_, left_info_, right_info_};
     early_pair_.reset();
+    // Of every pair: of those that the worker takes, only lit or only unlit ones may be left.
+    if (leave_out_unlit_ && projector_.lacksPattern(toMono(input.pair.left, left_.topic())->image)) return leftOutUnlit();
+    workOnNewest([this, input] { process(input); });
   }
 
   void leftOut() {
@@ -104,7 +112,6 @@ class StereoStage : public StageNodelet {
       requireSize(left->image, camera, left_.topic());
       requireSize(right->image, camera, right_.topic());
       const core::StereoConfig& config = matcher_->config();
-      if (config.leave_out_unlit && projector_.lacksPattern(left->image)) return leftOutUnlit();
       const core::DepthFrame frame = matcher_->process(left->image, right->image, camera);
       if (swap_.looksSwapped(frame, matcher_.get()))
         trouble("swapped", left_.topic() + " and " + right_.topic() + " match only the other way round: are they swapped?");
@@ -118,6 +125,7 @@ class StereoStage : public StageNodelet {
   sensor_msgs::CameraInfoConstPtr left_info_, right_info_;
   std::optional<Pair> early_pair_;  ///< the CameraInfos are not known yet
   core::ProjectorWatch projector_;
+  std::atomic<bool> leave_out_unlit_{true};
   core::SwapWatch swap_;
   int left_out_ = 0, unlit_ = 0;
   ros::Publisher disparity_;

@@ -21,12 +21,15 @@ void requireInstalled(const ros::NodeHandle& nh, const std::string& transport) {
   throw std::runtime_error("setting 'image_transport' is '" + transport + "', expected one that is installed: " + installed);
 }
 
-void WatchedSubscriber::subscribeImage(ros::NodeHandle& nh, const std::string& topic, const std::string& transport,
-                                       const CallbackGuard& guard, const Callback<sensor_msgs::Image>& callback) {
-  const std::string resolved = nh.resolveName(topic) + (transport == kRaw ? "" : "/" + transport);
+void WatchedSubscriber::subscribeImage(ros::NodeHandle& nh, const ros::NodeHandle& parameters, const std::string& topic,
+                                       const std::string& transport, const CallbackGuard& guard,
+                                       const Callback<sensor_msgs::Image>& callback) {
+  // Remapped here: image_transport appends the transport's name to the topic, and no remapping fits that.
+  const std::string image = nh.resolveName(topic), resolved = image + (transport == kRaw ? "" : "/" + transport);
   image_transport::ImageTransport images(nh);
-  const image_transport::TransportHints hints(transport, ros::TransportHints().tcpNoDelay());
-  set({{}, images.subscribe(topic, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
+  // By default, plugins of all topics in a process have the same services and parameters.
+  const image_transport::TransportHints hints(transport, ros::TransportHints().tcpNoDelay(), ros::NodeHandle(parameters, topic));
+  set({{}, images.subscribe(image, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
 }
 
 std::uint32_t WatchedSubscriber::publishers() const {

@@ -33,9 +33,10 @@ class WatchedSubscriber {
     set({nh.subscribe<Message>(topic, kQueue, heard<Message>(resolved, guard, callback), ros::VoidConstPtr(), hints), {}});
   }
 
-  /// An image by a transport of image_transport that is installed: raw, compressed or compressedDepth.
-  void subscribeImage(ros::NodeHandle& nh, const std::string& topic, const std::string& transport, const CallbackGuard& guard,
-                      const Callback<sensor_msgs::Image>& callback);
+  /// An image by a transport of image_transport that is installed: raw, compressed or compressedDepth. Below `parameters` its
+  /// plugin has its own.
+  void subscribeImage(ros::NodeHandle& nh, const ros::NodeHandle& parameters, const std::string& topic,
+                      const std::string& transport, const CallbackGuard& guard, const Callback<sensor_msgs::Image>& callback);
 
   /// Waits for a callback that is running.
   void shutdown() {

@@ -45,13 +45,17 @@ struct Size {
 /// As the header of a PNG or JPEG says; 0 by 0 for other bytes. Known before decoding, which makes room for whatever it says.
 Size declaredSize(const std::uint8_t* data, size_t size) {
   constexpr std::uint8_t kPng[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  if (size >= 24 && std::memcmp(data, kPng, sizeof kPng) == 0) return {bigEndian(data + 16, 4), bigEndian(data + 20, 4)};
+  if (size >= 24 && std::memcmp(data, kPng, sizeof kPng) == 0 && std::memcmp(data + 12, "IHDR", 4) == 0)
+    return {bigEndian(data + 16, 4), bigEndian(data + 20, 4)};
   if (size < 2 || data[0] != 0xff || data[1] != 0xd8) return {};
   // Segments of a JPEG: 0xff, marker, length with its own two bytes. A frame's go on with precision, height, width.
   for (size_t at = 2; at + 9 <= size;) {
     const std::uint8_t marker = data[at + 1];
+    const bool alone = marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd7);  // without a length
     if (data[at] != 0xff || marker == 0xff) {
       ++at;
+    } else if (alone) {
+      at += 2;
     } else if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) {
       return {bigEndian(data + at + 7, 2), bigEndian(data + at + 5, 2)};
     } else {

@@ -132,7 +132,7 @@ std::optional<FrameMessages> FrameAssembler::find(const ros::Time& stamp) const 
 FrameViews FrameAssembler::view(const FrameMessages& messages) const {
   FrameViews views;
   if (messages.depth) {
-    views.depth = toImage(messages.depth, topics_.frame);
+    views.depth = toDepth(messages.depth, topics_.frame);
     views.frame = depthFrame(messages, views.depth->image);
     return views;
   }

@@ -175,10 +175,19 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
 }
 
 cv_bridge::CvImageConstPtr toMono(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
+  const std::string& encoding = image->encoding;
+  // Cameras that do not say what a byte stands for: brightness.
+  if (encoding == encodings::TYPE_8UC1) return guarded(*image, topic, [&] { return cv_bridge::toCvShare(image); });
+  if (!encodings::isMono(encoding) && !encodings::isColor(encoding) && !encodings::isBayer(encoding) &&
+      encoding != encodings::YUV422)
+    fail(topic, "encoding is '" + encoding + "', expected mono8, 8UC1, mono16, or one of colour or Bayer images");
   return guarded(*image, topic, [&] { return cv_bridge::toCvShare(image, encodings::MONO8); });
 }
 
-cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
+cv_bridge::CvImageConstPtr toDepth(const sensor_msgs::ImageConstPtr& image, const std::string& topic) {
+  const std::string& encoding = image->encoding;
+  if (encoding != encodings::TYPE_16UC1 && encoding != encodings::MONO16 && encoding != encodings::TYPE_32FC1)
+    fail(topic, "encoding is '" + encoding + "', expected 16UC1 or 32FC1");
   return guarded(*image, topic, [&] { return cv_bridge::toCvShare(image); });
 }
 

@@ -4,12 +4,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cabinet_articulation/geometry/limits.h"
+
 namespace cabinet_articulation {
 
 cv::Mat Rectifier::operator()(const cv::Mat& image, const sensor_msgs::CameraInfo& info) {
   if (std::all_of(info.D.begin(), info.D.end(), [](double d) { return d == 0; })) return image;
   sensor_msgs::CameraInfo calibration = info;
   if (calibration.distortion_model.empty()) calibration.distortion_model = "plumb_bob";
+  // image_geometry makes maps for the full sensor, of which the image may show a small region.
+  core::requireWithin("width", info.width, core::limits::kImageSide);
+  core::requireWithin("height", info.height, core::limits::kImageSide);
+  core::requireWithin("width * height", static_cast<double>(info.width) * info.height, core::limits::kImageArea);
   cv::Mat rectified;
   try {
     model_.fromCameraInfo(calibration);

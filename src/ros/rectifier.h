@@ -12,7 +12,8 @@ namespace cabinet_articulation {
 /// (D = 0) for rectified, whatever R and P say.
 class Rectifier {
  public:
-  /// Returns the image itself if it is rectified already. Throws std::runtime_error for a distortion model that is impossible, or
+  /// Returns the image itself if it is rectified already. Throws std::invalid_argument for a sensor beyond geometry/limits.h, and
+  /// std::runtime_error for a distortion model that is impossible, or
   /// unknown to the image_geometry at hand: `equidistant` (fisheye) is, before its version 1.16.
   cv::Mat operator()(const cv::Mat& image, const sensor_msgs::CameraInfo& info);
 

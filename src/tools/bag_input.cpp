@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/bag_input.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -71,10 +73,14 @@ class InputSearch {
     return text;
   }
 
-  /// With the names that images have in the bag.
-  BagInput recorded(BagInput input) const {
-    for (std::string* image : {&input.topics.left, &input.topics.right}) *image = topics_.recorded(*image);
-    if (input.kind == "depth") input.topics.frame = topics_.recorded(input.topics.frame);
+  /// With the names that images have in the bag, or were named with.
+  BagInput recorded(BagInput input, const InputOptions& given = {}) const {
+    const auto resolve = [this](const std::string& named, std::string* image) {
+      *image = uncompressed(named) == *image && topics_.hasExactly(named) ? named : topics_.recorded(*image);
+    };
+    resolve(given.left_image, &input.topics.left);
+    resolve(given.right_image, &input.topics.right);
+    if (input.kind == "depth") resolve(given.depth_image, &input.topics.frame);
     return input;
   }
 
@@ -97,18 +103,23 @@ class InputSearch {
   BagInput stereo(const std::string& left_info) const {
     const std::string right_info = oneOf(options_.right_info, oneOf(infoBeside(options_.right_image), rightOf(left_info)));
     const std::string left = namespaceOf(left_info), right = namespaceOf(right_info);
-    ImageName found = kImageNames[0];
-    for (const ImageName& image : kImageNames)
-      if (topics_.has(left + image.name, kImage) && topics_.has(right + image.name, kImage)) {
-        found = image;
-        break;
-      }
+    std::vector<ImageName> names(std::begin(kImageNames), std::end(kImageNames));
+    if (options_.rectified)
+      std::stable_partition(names.begin(), names.end(), [](const ImageName& image) { return image.rectified; });
+    const auto is_there = [&](const ImageName& image) {
+      return topics_.has(left + image.name, kImage) && topics_.has(right + image.name, kImage);
+    };
+    const auto named = std::find_if(names.begin(), names.end(), is_there);
+    const ImageName& found = named == names.end() ? names.front() : *named;
     BagInput input{"stereo", {"", left_info, right_info, left + found.name, right + found.name}, found.rectified};
     if (!options_.left_image.empty()) {
       input.topics.left = options_.left_image;
       input.topics.right = oneOf(options_.right_image, rightOf(options_.left_image));
+      if (input.topics.right.empty())
+        throw std::invalid_argument("--right-image is missing: the name " + options_.left_image + " tells no right one");
       input.rectified = options_.left_image.find("image_rect") != std::string::npos;
     }
+    if (options_.left_image.empty() && !options_.right_image.empty()) input.topics.right = options_.right_image;
     input.rectified = input.rectified || options_.rectified;
     return input;
   }
@@ -181,11 +192,11 @@ BagInput chooseInput(const rosbag::Bag& bag, const InputOptions& given) {
   const InputSearch search(topics, options);
   const BagInput expected = search.byName(kinds[0]);
   const std::string missing = search.missing(expected);
-  if (missing.empty()) return search.recorded(expected);
+  if (missing.empty()) return search.recorded(expected, given);
   std::vector<BagInput> found;
   for (const std::string& kind : kinds)
     for (const BagInput& input : search.byType(kind)) found.push_back(input);
-  if (found.size() == 1) return search.recorded(found[0]);
+  if (found.size() == 1) return search.recorded(found[0], given);
   std::string text = bag.getFileName() + ": ";
   if (found.empty()) {
     text += kinds.size() > 1 ? "holds no input; needed are a disparity or a depth image with its camera_info, or for stereo"

@@ -49,6 +49,8 @@ bool BagTopics::has(const std::string& topic, const std::string& type) const {
   return found != types_.end() && found->second == type;
 }
 
+bool BagTopics::hasExactly(const std::string& topic) const { return types_.count(topic) > 0; }
+
 std::vector<std::string> BagTopics::all(const std::string& type, const std::string& below) const {
   std::vector<std::string> result;
   for (const auto& entry : type == kImage ? recorded_ : types_)
@@ -61,13 +63,15 @@ std::string BagTopics::recorded(const std::string& image) const {
   return found == recorded_.end() ? image : found->second;
 }
 
-bool BagTopics::holdsDepth(const std::string& image) const {
+bool BagTopics::holdsDepth(const std::string& image) const try {
   rosbag::View view(bag_, rosbag::TopicQuery(recorded(image)));
   if (view.size() == 0) return false;
   if (const auto compressed = readMessage<sensor_msgs::CompressedImage>(*view.begin()))
     return cabinet_articulation::holdsDepth(*compressed);
   const auto raw = readMessage<sensor_msgs::Image>(*view.begin());
   return raw && (raw->encoding == "32FC1" || raw->encoding == "16UC1" || raw->encoding == "mono16");
+} catch (const std::exception&) {
+  return false;  // a damaged message, of a topic that nobody may want
 }
 
 std::string BagTopics::text() const {

@@ -18,6 +18,8 @@ class BagTopics {
   /// True if the topic is there and has this type; sensor_msgs/Image also for a compressed image.
   bool has(const std::string& topic, const std::string& type) const;
 
+  bool hasExactly(const std::string& topic) const;
+
   /// All topics of a type below a namespace (without its last '/'; empty: everywhere). Sorted.
   std::vector<std::string> all(const std::string& type, const std::string& below) const;
 

@@ -46,8 +46,11 @@ void copyTransforms(const rosbag::Bag& from, rosbag::Bag* to) {
 }
 
 int run(const BagToolOptions& options) {
-  FrameBag input(options.input, options.bag);
-  core::BlockMatcher matcher(loadConfig(options.config));
+  const core::StereoConfig config = loadConfig(options.config);
+  FrameBagOptions bag = options.bag;
+  bag.leave_out_unlit = config.leave_out_unlit;
+  FrameBag input(options.input, bag);
+  core::BlockMatcher matcher(config);
   rosbag::Bag output(options.output, rosbag::bagmode::Write);
   copyTransforms(input.bag(), &output);
   Progress progress(input.expectedFrames());
@@ -60,7 +63,7 @@ int run(const BagToolOptions& options) {
     output.write("/camera/depth/camera_info", header.stamp, infoOf(frame.camera, header));
     output.write("/camera/depth/image_raw", header.stamp, cv_bridge::CvImage(header, "16UC1", depth).toImageMsg());
     ++frames;
-    progress.add();
+    progress.show(input.framesRead());
   };
   input.forEachFrame(write, &skipped);
   output.close();

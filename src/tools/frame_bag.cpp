@@ -113,13 +113,15 @@ void FrameBag::forEachPair(const Callback& callback, SkippedFrames* skipped) {
   const Infos left_infos = readInfos(topics.info), right_infos = readInfos(topics.right_info);
   if (left_infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.info);
   if (right_infos.empty()) throw std::runtime_error(path_ + ": no message on " + topics.right_info);
-  PairMatcher<sensor_msgs::Image> matcher(options_.sync.tolerance(), [skipped](Side side, const auto& image) {
+  const std::string partner = options_.sync.tolerance() > 0 ? " image within the tolerance" : " image of the same stamp";
+  PairMatcher<sensor_msgs::Image> matcher(options_.sync.tolerance(), [skipped, partner](Side side, const auto& image) {
     const char* const own = side == Side::kLeft ? "left" : "right";
     const char* const other = side == Side::kLeft ? "right" : "left";
-    skipped->add(std::string(own) + " image without a " + other + " image of the same stamp", stampText(image->header.stamp));
+    skipped->add(std::string(own) + " image without a " + other + partner, stampText(image->header.stamp));
   });
   for (const rosbag::MessageInstance& instance : rosbag::View(bag_, rosbag::TopicQuery({topics.left, topics.right}))) {
     const Side side = instance.getTopic() == topics.left ? Side::kLeft : Side::kRight;
+    if (side == Side::kLeft) ++frames_read_;
     const sensor_msgs::ImageConstPtr image = readImage(instance, skipped);
     const auto pair = image ? matcher.add(side, image) : std::nullopt;
     if (!pair) continue;
@@ -175,10 +177,11 @@ void FrameBag::forEachDepth(const Callback& callback, SkippedFrames* skipped) {
 }
 
 void FrameBag::play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame,
-                    SkippedFrames* skipped) const {
+                    SkippedFrames* skipped) {
   const FrameTopics& topics = input_.topics;
   const rosbag::TopicQuery inputs({topics.frame, topics.left, topics.right});
   for (const rosbag::MessageInstance& instance : rosbag::View(bag_, inputs)) {
+    if (instance.getTopic() == topics.frame) ++frames_read_;
     if (instance.isType<stereo_msgs::DisparityImage>()) {
       const auto disparity = read<stereo_msgs::DisparityImage>(instance, path_);
       before_frame(disparity->header.stamp);

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "ros/frame_assembler.h"
+#include "ros/rectifier.h"
 #include "stereo/pair_watch.h"
 #include "tools/bag_input.h"
-#include "ros/rectifier.h"
 #include "tools/skipped_frames.h"
 
 namespace cabinet_articulation {
@@ -43,6 +43,9 @@ class FrameBag {
   /// Depth images, disparities or left images.
   size_t expectedFrames() const;
 
+  /// So many of them were read, also those that gave no frame.
+  size_t framesRead() const { return frames_read_; }
+
  private:
   using Infos = std::map<ros::Time, sensor_msgs::CameraInfoConstPtr>;
   using ImagePair = PairMatcher<sensor_msgs::Image>::Pair;
@@ -51,7 +54,7 @@ class FrameBag {
   void forEachDepth(const Callback& callback, SkippedFrames* skipped);
   /// Null, and counted, for an image that cannot be decoded.
   sensor_msgs::ImageConstPtr readImage(const rosbag::MessageInstance& instance, SkippedFrames* skipped) const;
-  void play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame, SkippedFrames* skipped) const;
+  void play(FrameAssembler* assembler, const std::function<void(const ros::Time&)>& before_frame, SkippedFrames* skipped);
   Infos readInfos(const std::string& topic) const;
   FrameViews viewPair(const ImagePair& pair, const sensor_msgs::CameraInfo& left, const sensor_msgs::CameraInfo& right);
 
@@ -61,6 +64,7 @@ class FrameBag {
   BagInput input_;
   Rectifier rectifiers_[2];
   core::ProjectorWatch projector_;
+  size_t frames_read_ = 0;
 };
 
 }  // namespace cabinet_articulation

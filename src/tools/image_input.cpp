@@ -9,6 +9,7 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "config/ordinary_file.h"
 #include "ros/rectifier.h"
+#include "stereo/image_text.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -28,7 +29,7 @@ cv::Mat readImage(const std::string& path, int flags) {
 cv::Mat1f readValues(const std::string& path, double scale) {
   const cv::Mat image = readImage(path, cv::IMREAD_UNCHANGED);
   if (image.type() != CV_16UC1 && image.type() != CV_32FC1)
-    throw std::runtime_error(path + ": expected 1 channel with 16 bit or floating point");
+    throw std::runtime_error(path + ": is " + core::describeImage(image) + ", expected 1 channel with 16 bit or floating point");
   cv::Mat1f values;
   image.convertTo(values, CV_32F, image.type() == CV_16UC1 ? 1 / scale : 1);
   return values;

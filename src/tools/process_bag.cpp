@@ -77,7 +77,7 @@ class Run {
     input_.forEachFrame(
         [this](const auto& header, const FrameViews& views) {
           process(header, views.frame);
-          progress_.add();
+          progress_.show(input_.framesRead());
         },
         &skipped_);
     progress_.clear();

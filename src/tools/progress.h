@@ -16,14 +16,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void add() {
-    ++done_;
+  /// `done` of those that were expected.
+  void show(size_t done) {
     const Clock::time_point now = Clock::now();
     if (!on_terminal_ || seconds(shown_, now) < kPeriod) return;
     shown_ = now;
-    const double rate = static_cast<double>(done_) / seconds(start_, now);
-    const double left = expected_ > done_ ? static_cast<double>(expected_ - done_) / rate : 0;
-    std::fprintf(stderr, "\r%zu of %zu frames, %.1f a second, %.0f s left\033[K", done_, expected_, rate, left);
+    const double rate = static_cast<double>(done) / seconds(start_, now);
+    const double left = expected_ > done ? static_cast<double>(expected_ - done) / rate : 0;
+    std::fprintf(stderr, "\r%zu of %zu frames, %.1f a second, %.0f s left\033[K", done, expected_, rate, left);
     std::fflush(stderr);
   }
 
@@ -44,7 +44,6 @@ class Progress {
   const size_t expected_;
   const Clock::time_point start_;
   Clock::time_point shown_;
-  size_t done_ = 0;
 };
 
 }  // namespace cabinet_articulation

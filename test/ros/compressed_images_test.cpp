@@ -52,6 +52,21 @@ TEST(CompressedImages, LargeOnesAreRefusedBeforeTheyAreDecoded) {
               ThrowsSaying<std::invalid_argument>("left: height is 28672, expected 1 to 16384 px"));
 }
 
+TEST(CompressedImages, SizesThatAreHiddenAreFoundOrRefused) {
+  // A chunk before the first that must be.
+  sensor_msgs::CompressedImage png = compressed(".png", {40, 30});
+  const std::vector<std::uint8_t> chunk{0, 0, 0, 8, 't', 'E', 'X', 't', 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0};
+  png.data.insert(png.data.begin() + 8, chunk.begin(), chunk.end());
+  EXPECT_THAT([&] { decompressed(png, "left"); }, ThrowsSaying<std::invalid_argument>(HasSubstr("that cannot be decoded")));
+  // Markers without a length before the frame's, and behind them what would be one.
+  sensor_msgs::CompressedImage jpeg = compressed(".jpg", {40, 30});
+  overwrite(&jpeg.data, {0xff, 0xc0}, 3, {0x70, 0});
+  const std::vector<std::uint8_t> alone{0xff, 0xd0, 0xff, 0x01, 0xff, 0x00};
+  jpeg.data.insert(jpeg.data.begin() + 2, alone.begin(), alone.end());
+  EXPECT_THAT([&] { decompressed(jpeg, "left"); },
+              ThrowsSaying<std::invalid_argument>("left: height is 28672, expected 1 to 16384 px"));
+}
+
 TEST(CompressedImages, OtherBytesAreRefused) {
   sensor_msgs::CompressedImage other;
   EXPECT_THAT([&] { decompressed(other, "left"); },

@@ -181,6 +181,21 @@ TEST(ImageConversion, OtherEncodingsBecomeMono) {
   EXPECT_EQ(toMono(image, "t")->image.at<std::uint8_t>(2, 2), 128);
 }
 
+TEST(ImageConversion, BytesWithoutAMeaningAreBrightness) {
+  const auto image = boost::make_shared<sensor_msgs::Image>(test::greyImage(8, 6, {}, [](int u, int) { return u; }));
+  image->encoding = "8UC1";
+  EXPECT_EQ(toMono(image, "left")->image.data, image->data.data());
+}
+
+TEST(ImageConversion, AnEncodingThatCannotBeUsedNamesItselfAndThoseThatCan) {
+  const auto image = boost::make_shared<sensor_msgs::Image>(test::greyImage(8, 6, {}, [](int u, int) { return u; }));
+  image->encoding = "32FC2";
+  EXPECT_EQ(errorOf([&] { toMono(image, "/left"); }),
+            "/left: encoding is '32FC2', expected mono8, 8UC1, mono16, or one of colour or Bayer images");
+  image->encoding = "bgr8";
+  EXPECT_EQ(errorOf([&] { toDepth(image, "/depth"); }), "/depth: encoding is 'bgr8', expected 16UC1 or 32FC1");
+}
+
 TEST(ImageConversion, NamesTheTopicOfABrokenImage) {
   auto image = boost::make_shared<sensor_msgs::Image>(greyImage(8, 4, exampleHeader(), [](int, int) { return 0; }));
   image->data.resize(20);
@@ -195,7 +210,7 @@ TEST(ImageConversion, RowsThatEndBeyondTheDataAreRefused) {
   auto image = boost::make_shared<sensor_msgs::Image>(test::greyImage(64, 48, {}, [](int, int) { return 7; }));
   image->step = 64 + (1U << 28);
   EXPECT_EQ(errorOf([&] { toMono(image, "/left"); }), "/left: holds 3072 bytes, expected 12884904960 in 48 rows of 268435520");
-  EXPECT_NE(errorOf([&] { toImage(image, "/depth"); }), "");
+  EXPECT_NE(errorOf([&] { toDepth(image, "/depth"); }), "");
   image->step = 64;
   EXPECT_EQ(errorOf([&] { toMono(image, "/left"); }), "");
 }

@@ -78,6 +78,15 @@ TEST(Rectifier, SaysWhichDistortionModelItDoesNotKnow) {
   }
 }
 
+TEST(Rectifier, RefusesASensorThatIsTooLargeForItsMaps) {
+  sensor_msgs::CameraInfo info = rectifiedCamera();
+  info.D[0] = 0.1;
+  info.width = info.height = 12000;
+  info.roi.width = 320;
+  info.roi.height = 240;
+  EXPECT_THROW(Rectifier()(spotAt(rectifiedCamera(), {0, 0, 1}), info), std::invalid_argument);
+}
+
 TEST(Rectifier, SaysThatALensIsImpossible) {
   sensor_msgs::CameraInfo info = rectifiedCamera();
   info.D.assign(6, 0.1);

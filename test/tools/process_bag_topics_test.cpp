@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
+#include "tools/bag_input.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {
@@ -73,6 +74,12 @@ class ProcessBagTopics : public StereoBagFixture {
   void addDepth(const std::string& camera) {
     addImage(camera + "image_raw", millimetres(), "16UC1");
     addInfo(camera + "camera_info");
+  }
+
+  static InputOptions rectifiedOptions(bool rectified) {
+    InputOptions options;
+    options.rectified = rectified;
+    return options;
   }
 
   /// All that process_bag says about the input.
@@ -146,6 +153,41 @@ TEST_F(ProcessBagTopics, RectifiedImagesAreTakenAsTheyAre) {
   const std::string topics = "--left-image a/left --left-info a/left_info --right-image a/right --right-info a/right_info";
   expectWords(topics, 1, "distortion_model is 'unknown to OpenCV', expected plumb_bob");
   expectFrame(topics + " --rectified");
+}
+
+TEST_F(ProcessBagTopics, RectifiedNamesComeFirstWhereTheImagesAreRectified) {
+  for (const char* image : {"image_raw", "image_rect"}) addPair("/stereo/left/", "/stereo/right/", image);
+  bag_.close();
+  BagInput input = chooseInput(rosbag::Bag(path("in.bag")), rectifiedOptions(true));
+  EXPECT_EQ(input.topics.left, "/stereo/left/image_rect");
+  input = chooseInput(rosbag::Bag(path("in.bag")), rectifiedOptions(false));
+  EXPECT_EQ(input.topics.left, "/stereo/left/image_raw");
+}
+
+TEST_F(ProcessBagTopics, TheRightImageAloneMayBeNamed) {
+  addPair("/stereo/left/", "/stereo/right/", "image_raw");
+  addImage("/stereo/right/other", frame_.right, "mono8");
+  bag_.close();
+  InputOptions options;
+  options.right_image = "/stereo/right/other";
+  EXPECT_EQ(chooseInput(rosbag::Bag(path("in.bag")), options).topics.right, "/stereo/right/other");
+}
+
+TEST_F(ProcessBagTopics, ALeftImageWhoseNameTellsNoRightOneNeedsOne) {
+  addPair("/stereo/left/", "/stereo/right/", "image_raw");
+  addImage("/grey", frame_.left, "mono8");
+  expectWords("--left-image /grey --left-info /stereo/left/camera_info", 1, "--right-image is missing: the name /grey");
+}
+
+TEST_F(ProcessBagTopics, ACompressedImageIsReadIfItIsNamed) {
+  addPair("/stereo/left/", "/stereo/right/", "image_raw");
+  addCompressed("/stereo/left/image_raw/compressed", frame_.left, "mono8; png compressed", ".png");
+  bag_.close();
+  InputOptions options;
+  options.left_image = "/stereo/left/image_raw/compressed";
+  const BagInput input = chooseInput(rosbag::Bag(path("in.bag")), options);
+  EXPECT_EQ(input.topics.left, "/stereo/left/image_raw/compressed");
+  EXPECT_EQ(input.topics.right, "/stereo/right/image_raw");
 }
 
 TEST_F(ProcessBagTopics, SeveralInputsAreListedWithTheirOptions) {

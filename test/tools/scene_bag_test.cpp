@@ -92,7 +92,7 @@ TEST_F(SceneBag, DisparityAndDepthAgree) {
   config_.inputs = {"disparity", "depth"};
   writeSceneBag(path_.string(), config_);
   const auto disparity = read<stereo_msgs::DisparityImage>("/stereo/disparity").at(0);
-  const auto depth = toImage(read<sensor_msgs::Image>("/stereo/depth/image").at(0), "depth");
+  const auto depth = toDepth(read<sensor_msgs::Image>("/stereo/depth/image").at(0), "depth");
   const auto matched = cv_bridge::toCvCopy(disparity->image);
   int compared = 0;
   double sum = 0;

@@ -43,7 +43,7 @@ constexpr Limit kTurnRate{0, 100, "rad/s"};             ///< half a turn within 
 constexpr Limit kHorizon{0, 10, "s"};                   ///< that of prediction_horizon of the tracking stage
 
 constexpr Limit kImageSide{1, 16384, "px"};        ///< sums over a row of 20,000 pixels still fit 32 bits
-constexpr Limit kImageArea{1, 1 << 26, "px"};      ///< of a compressed image: 512 MB with four channels of 16 bit (ours)
+constexpr Limit kImageArea{1, 1 << 26, "px"};      ///< compressed or to be rectified: 512 MB of pixels or maps (ours)
 constexpr Limit kFocalLength{1, 1e5, "px"};        ///< 1000 px wide images of a hundredth of a radian
 constexpr Limit kPrincipalPoint{-1e5, 1e5, "px"};  ///< rectified images may be cut out far from it
 constexpr Limit kBaseline{0.001, 10, "m"};

@@ -38,11 +38,11 @@ core::StereoCamera toDisparityCamera(const stereo_msgs::DisparityImage& disparit
                                      const sensor_msgs::CameraInfo& left, const std::string& left_topic,
                                      const sensor_msgs::CameraInfo* right = nullptr);
 
-/// 8-bit grey. A view if the image is mono8 already, else a converted copy. The result keeps the message alive.
+/// 8-bit grey. A view if the image is mono8 or 8UC1 already, else a converted copy. The result keeps the message alive.
 cv_bridge::CvImageConstPtr toMono(const sensor_msgs::ImageConstPtr& image, const std::string& topic);
 
-/// An image as it is (depth images). A view that keeps the message alive.
-cv_bridge::CvImageConstPtr toImage(const sensor_msgs::ImageConstPtr& image, const std::string& topic);
+/// A depth image (16UC1, mono16 or 32FC1) as it is. A view that keeps the message alive.
+cv_bridge::CvImageConstPtr toDepth(const sensor_msgs::ImageConstPtr& image, const std::string& topic);
 
 /// Throws unless the image has the size that its camera's CameraInfo names.
 void requireSize(const cv::Mat& image, const core::StereoCamera& camera, const std::string& topic);
