@@ -50,7 +50,8 @@ std::set<std::string> without(const std::set<std::string>& all, const std::set<s
 }
 
 TEST(Reload, EveryNodeletComesAndGoesWithoutATrace) {
-  ASSERT_TRUE(ros::service::waitForService("/manager/load_nodelet", ros::Duration(test::kGenerous)));
+  // The last that a manager offers.
+  ASSERT_TRUE(ros::service::waitForService("/manager/list", ros::Duration(test::kGenerous)));
   const std::set<std::string> empty = registered();
   Recorder<ArticulationModelArray> models("/cabinet/models");
   Recorder<sensor_msgs::Image> overlays("/cabinet/overlay");

@@ -219,7 +219,12 @@ TEST_F(Assembler, TroublesNameTheirTopic) {
   frame.info = infoAt(1);
   const auto small = boost::make_shared<sensor_msgs::Image>(test::greyImage(8, 4, headerAt(1), [](int, int) { return 7; }));
   frame.depth = small;
-  EXPECT_EQ(errorOf([&] { depth.view(frame); }).find("/stereo/depth/image: the depth image is 8x4"), 0u);
+  EXPECT_EQ(errorOf([&] { depth.view(frame); }), "/stereo/depth/image: encoding is 'mono8', expected 16UC1 or 32FC1");
+  const auto small_depth = boost::make_shared<sensor_msgs::Image>(*small);
+  small_depth->encoding = "16UC1";
+  small_depth->width = 4;
+  frame.depth = small_depth;
+  EXPECT_EQ(errorOf([&] { depth.view(frame); }).find("/stereo/depth/image: the depth image is 4x4"), 0u);
   frame.depth.reset();
   frame.disparity = disparityAt(1);
   frame.left = imageAt(1);
