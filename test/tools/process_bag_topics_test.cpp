@@ -95,16 +95,22 @@ class ProcessBagTopics : public StereoBagFixture {
     EXPECT_EQ(outcome.output.find("skipped"), std::string::npos) << outcome.output;
   }
 
+  /// Of the last frame.
+  std::vector<Rectangle> rectangles() {
+    std::vector<Rectangle> found;
+    rosbag::Bag out(path("out.bag"));
+    for (const rosbag::MessageInstance& instance : rosbag::View(out, rosbag::TopicQuery("/cabinet/rectangles")))
+      found = instance.instantiate<RectangleArray>()->rectangles;
+    return found;
+  }
+
   /// The front of millimetres() is found where it is.
   void expectFront(const std::string& options) { expectFront(options, 200 * 100, 1 / simulation_.camera().fx); }
 
   /// The same for a front of `area` pixels, each `pixel` metres wide at 1 m.
   void expectFront(const std::string& options, double area, double pixel) {
     expectFrame(options);
-    std::vector<Rectangle> found;
-    rosbag::Bag out(path("out.bag"));
-    for (const rosbag::MessageInstance& instance : rosbag::View(out, rosbag::TopicQuery("/cabinet/rectangles")))
-      found = instance.instantiate<RectangleArray>()->rectangles;
+    const std::vector<Rectangle> found = rectangles();
     const auto matches = [area, pixel](const Rectangle& rectangle) {
       return std::abs(rectangle.width * rectangle.height - area * pixel * pixel) < 0.003 &&
              std::abs(rectangle.pose.pose.position.z - 1) < 0.002;
@@ -328,6 +334,27 @@ TEST_F(ProcessBagTopics, WideDepthImages) {
     addImage("/camera/depth/image_rect_raw", depth, "16UC1");
     add("/camera/depth/camera_info", infoOf({width, height, f, f, width / 2 - 0.5, height / 2 - 0.5, 0, 0}, false, kStamp));
     expectFront("", 240 * 160, 1 / f);
+  }
+}
+
+TEST_F(ProcessBagTopics, WidePairs) {
+  for (const auto& [width, height, f] : {std::tuple(848, 480, 600.0), std::tuple(1280, 720, 900.0)}) {
+    core::SimulationConfig config = door();
+    config.width = width;
+    config.height = height;
+    config.focal_length = f;
+    core::SimulatedStereoCamera simulation(config);
+    const core::StereoFrame frame = simulation.frame(12);
+    bag_.close();
+    bag_.open(path("in.bag"), rosbag::bagmode::Write);
+    write(bag_,
+          {imageOf(frame.left, kStamp), imageOf(frame.right, kStamp), infoOf(simulation.camera(), false, kStamp),
+           infoOf(simulation.camera(), true, kStamp)},
+          kStamp);
+    expectFrame("");
+    const std::vector<Rectangle> found = rectangles();
+    const auto is_door = [](const Rectangle& r) { return std::abs(r.width - 0.4) < 0.02 && std::abs(r.height - 0.58) < 0.02; };
+    EXPECT_EQ(std::count_if(found.begin(), found.end(), is_door), 1) << width << ", " << found.size() << " rectangles";
   }
 }
 
