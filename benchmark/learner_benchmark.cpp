@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "interval_coverage.h"
 #include "limit_reporter.h"
 #include "measure.h"

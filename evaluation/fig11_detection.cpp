@@ -9,7 +9,7 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "csv_writer.h"
 #include "detection_table.h"
 #include "failure_picture.h"

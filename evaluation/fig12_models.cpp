@@ -7,7 +7,7 @@
 #include <map>
 #include <opencv2/core/utility.hpp>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "csv_writer.h"
 #include "geometry/degrees.h"
 #include "interval_coverage.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "articulation/articulation_model.h"
+#include "articulation/models/articulation_model.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 #include "cabinet_articulation/geometry/stereo_camera.h"
 

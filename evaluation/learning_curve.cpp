@@ -6,7 +6,7 @@
 #include <numeric>
 #include <opencv2/core.hpp>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
 
 namespace cabinet_articulation::core {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "joints/urdf_document.h"
 
 namespace cabinet_articulation::core {

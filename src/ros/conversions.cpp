@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "ros/from_messages.h"

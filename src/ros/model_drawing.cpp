@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <iterator>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "geometry/degrees.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "geometry/degrees.h"
 #include "tools/pose_log.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "geometry/degrees.h"
 
 namespace cabinet_articulation {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "geometry/degrees.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "articulation/arc_problem.h"
+#include "articulation/fitting/arc_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,11 @@ Arc exampleArc(double curvature) {
   return arc;
 }
 
-PoseTrack noisyTrack(const Arc& arc, double noise, bool with_orientation) {
+PoseSequence noisyTrack(const Arc& arc, double noise, bool with_orientation) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   const auto vector = [&]() { return Eigen::Vector3d(normal(random), normal(random), normal(random)); };
-  PoseTrack track;
+  PoseSequence track;
   track.has_orientation = with_orientation;
   for (int i = 0; i < 12; ++i) {
     Eigen::Isometry3d pose = arc.pose(-0.25 + 0.05 * i);
@@ -64,7 +64,7 @@ TEST(Arc, ALineIsTheLimitOfSmallCurvature) {
 template <bool kWithOrientation>
 void expectGradient(const ResidualNoise& noise, double curvature, bool weighted) {
   using Problem = ArcProblem<kWithOrientation>;
-  PoseTrack track = noisyTrack(exampleArc(curvature), 0.005, kWithOrientation);
+  PoseSequence track = noisyTrack(exampleArc(curvature), 0.005, kWithOrientation);
   if (weighted) {
     track.position_weights.assign(track.size(), Eigen::Vector3d(1, 0.2, 0.7).asDiagonal());
     track.orientation_weights.assign(track.size(), Eigen::Vector3d(0.9, 1, 0.5).asDiagonal());
@@ -140,7 +140,7 @@ TEST(HingePrior, AnAxisOnAnEdgeCostsNothing) {
 
 TEST(ArcProblem, AHingeAwayFromWhereHingesAreCosts) {
   const Arc arc = exampleArc(2.5);
-  PoseTrack track = noisyTrack(arc, 0.005, true);
+  PoseSequence track = noisyTrack(arc, 0.005, true);
   track.hinge.sigma = 0.05;
   track.hinge.center << 0.11, -0.07, 0;
   track.hinge.half_size << 0.2, 0.35;
@@ -183,7 +183,7 @@ TEST(ArcProblem, HalfTheSquareSumIsTheNegativeLogLikelihoodOfStudentsT) {
 TEST(ArcProblem, PosesOnThePathHaveNoResiduals) {
   for (const double curvature : {0.0, 0.8, 5.0, 40.0}) {
     const Arc arc = exampleArc(curvature);
-    PoseTrack track;
+    PoseSequence track;
     for (const double s : {-0.05, 0.0, 0.02}) {
       track.poses.push_back(arc.pose(s));
       track.stamps.push_back(s);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "articulation/arc_fit.h"
+#include "articulation/fitting/arc_fit.h"
 #include "articulation/synthetic_tracks.h"
 
 namespace cabinet_articulation::core {
@@ -84,7 +84,7 @@ TEST(IncrementalFit, AgreesWithAFreshOne) {
 
 TEST(IncrementalFit, CirclesStayWithinTheirLimits) {
   const ArticulationConfig config;
-  PoseTrack track;
+  PoseSequence track;
   Arc line;
   for (int i = 0; i < 10; ++i) {
     track.poses.push_back(line.pose(0.03 * i));

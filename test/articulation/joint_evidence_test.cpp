@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What keeps a joint that is established, and what makes it given up.
-#include "articulation/joint_evidence.h"
+#include "articulation/decision/joint_evidence.h"
 
 #include <gtest/gtest.h>
 

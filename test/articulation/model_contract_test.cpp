@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <set>
 
-#include "articulation/front_poses.h"
-#include "articulation/model_registry.h"
+#include "articulation/models/model_registry.h"
+#include "articulation/observations/observation_history.h"
 #include "articulation/synthetic_tracks.h"
 
 namespace cabinet_articulation::core {
@@ -22,11 +22,11 @@ class ModelContract : public ::testing::TestWithParam<ModelEntry> {
   }
 
   std::unique_ptr<ArticulationModel> make() const { return GetParam().create(config_); }
-  PoseTrack track(double noise) const {
+  PoseSequence track(double noise) const {
     SyntheticFront front = frontOf(GetParam().type);
     front.noise = noise;
     front.turn_noise = 3 * noise;
-    FrontPoses poses(config_);
+    ObservationHistory poses(config_);
     poses.update(syntheticTrack(front));
     return poses.track({1, 0}, 1000);
   }
@@ -42,7 +42,7 @@ TEST_P(ModelContract, TypeIsTheIndexInTheRegistry) {
 
 TEST_P(ModelContract, PredictsTheTrackItWasFittedTo) {
   const auto model = make();
-  const PoseTrack clean = track(0);
+  const PoseSequence clean = track(0);
   ASSERT_TRUE(model->fit(clean));
   for (const Eigen::Isometry3d& pose : clean.poses) {
     const Eigen::Isometry3d predicted = model->predict(model->configuration(pose));
@@ -54,7 +54,7 @@ TEST_P(ModelContract, PredictsTheTrackItWasFittedTo) {
 
 TEST_P(ModelContract, ConfigurationInvertsPrediction) {
   const auto model = make();
-  const PoseTrack noisy = track(0.005);
+  const PoseSequence noisy = track(0.005);
   ASSERT_TRUE(model->fit(noisy));
   const ModelResiduals residuals = model->residuals(noisy);
   if (!model->moves()) {
@@ -69,7 +69,7 @@ TEST_P(ModelContract, ConfigurationInvertsPrediction) {
 
 TEST_P(ModelContract, ConfigurationStartsAtZeroAndGrowsWithTheOpening) {
   const auto model = make();
-  const PoseTrack noisy = track(0.001);
+  const PoseSequence noisy = track(0.001);
   ASSERT_TRUE(model->fit(noisy));
   EXPECT_NEAR(model->configuration(noisy.poses.front()), 0, 1e-9);
   const ModelResiduals residuals = model->residuals(noisy);
@@ -81,7 +81,7 @@ TEST_P(ModelContract, ConfigurationStartsAtZeroAndGrowsWithTheOpening) {
 
 TEST_P(ModelContract, LikelihoodFallsWithDistance) {
   const auto model = make();
-  PoseTrack noisy = track(0.003);
+  PoseSequence noisy = track(0.003);
   ASSERT_TRUE(model->fit(noisy));
   const double likelihood = model->logLikelihood(noisy, model->residuals(noisy));
   EXPECT_TRUE(std::isfinite(likelihood));
@@ -93,7 +93,7 @@ TEST_P(ModelContract, LikelihoodFallsWithDistance) {
 
 TEST_P(ModelContract, ASecondFitChangesNothing) {
   const auto model = make();
-  const PoseTrack noisy = track(0.003);
+  const PoseSequence noisy = track(0.003);
   ASSERT_TRUE(model->fit(noisy));
   const Eigen::Isometry3d before = model->predict(0.1);
   ASSERT_TRUE(model->fit(noisy));
@@ -102,15 +102,15 @@ TEST_P(ModelContract, ASecondFitChangesNothing) {
 
 TEST_P(ModelContract, TooShortATrackLeavesItUnchanged) {
   const auto model = make();
-  EXPECT_FALSE(model->fit(PoseTrack{}));
+  EXPECT_FALSE(model->fit(PoseSequence{}));
   ASSERT_TRUE(model->fit(track(0.001)));
   const Eigen::Isometry3d before = model->predict(0.1);
-  EXPECT_FALSE(model->fit(PoseTrack{}));
+  EXPECT_FALSE(model->fit(PoseSequence{}));
   EXPECT_TRUE(model->predict(0.1).isApprox(before, 0));
 }
 
 TEST_P(ModelContract, IdenticalPosesGiveFiniteNumbers) {
-  PoseTrack same;
+  PoseSequence same;
   for (int i = 0; i < 10; ++i) {
     same.stamps.push_back(i);
     same.poses.push_back(closedPose());
@@ -127,7 +127,7 @@ TEST_P(ModelContract, IdenticalPosesGiveFiniteNumbers) {
 
 TEST_P(ModelContract, CovarianceIsSymmetricAndNotNegative) {
   const auto model = make();
-  const PoseTrack noisy = track(0.005);
+  const PoseSequence noisy = track(0.005);
   ASSERT_TRUE(model->fit(noisy));
   const Matrix6d covariance = model->covariance(noisy, closedPose().translation(), 0.3);
   EXPECT_TRUE(covariance.isApprox(covariance.transpose(), 1e-9));

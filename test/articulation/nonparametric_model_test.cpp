@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "articulation/nonparametric_model.h"
+#include "articulation/models/nonparametric_model.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "articulation/front_poses.h"
+#include "articulation/observations/observation_history.h"
 #include "articulation/synthetic_tracks.h"
 
 namespace cabinet_articulation::core {
@@ -113,7 +113,7 @@ TEST(NonparametricModel, IsWhatSlidesAndThenTurns) {
 TEST(NonparametricModel, GoesOnBeyondWhatWasSeen) {
   const LearnedModel model = [] {
     NonparametricModel free((ArticulationConfig()));
-    FrontPoses poses((ArticulationConfig()));
+    ObservationHistory poses((ArticulationConfig()));
     poses.update(garageTrack(0.002, 3, 0, 0.9));
     EXPECT_TRUE(free.fit(poses.track({}, 1000)));
     LearnedModel learned;

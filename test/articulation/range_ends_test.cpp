@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "articulation/range_ends.h"
+#include "articulation/learner/range_ends.h"
 
 #include <gtest/gtest.h>
 

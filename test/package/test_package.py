@@ -24,6 +24,8 @@ LAYERS = {
     'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
+# Folders of src/articulation, in the order of the data: each may use those before it.
+LEARNER_STEPS = ['paths', 'observations', 'fitting', 'models', 'decision', 'learner']
 FOLDERS = [*LAYERS, 'ros', 'nodelets', 'tools']
 ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'
                          r'image_geometry|diagnostic_updater|pcl_ros|pcl_conversions|xmlrpcpp|\w+_msgs)/|^XmlRpc')
@@ -48,6 +50,17 @@ class Layers(unittest.TestCase):
                         wrong.append('%s: %s may not include %s' % (path.relative_to(ROOT), stage, header))
                     elif not own and (ROS_HEADERS.match(header) or header.startswith(PACKAGE + '/')):
                         wrong.append('%s: the core includes %s' % (path.relative_to(ROOT), header))
+        self.assertEqual(wrong, [])
+
+    def test_each_step_of_the_learner_uses_those_before_it(self):
+        folder = 'src/articulation/'
+        self.assertEqual(sorted(LEARNER_STEPS), sorted(path.name for path in (ROOT / folder).iterdir() if path.is_dir()))
+        wrong = []
+        for i, step in enumerate(LEARNER_STEPS):
+            for path in sources(folder + step):
+                for header in re.findall(r'^#include "articulation/(\w+)/', path.read_text(), re.M):
+                    if header not in LEARNER_STEPS[:i + 1]:
+                        wrong.append('%s includes %s/' % (path.relative_to(ROOT), header))
         self.assertEqual(wrong, [])
 
     def test_public_headers_include_public_ones_alone(self):
@@ -113,7 +126,8 @@ class Metadata(unittest.TestCase):
         for path in sources('src', 'test', 'evaluation', 'benchmark'):
             if path.suffix == '.cpp':
                 # The sanitizers' programs need other flags than all others: their script compiles them.
-                builder = ROOT / 'scripts/check_sanitizers.sh' if path.parent.name == 'sanitizers' else path.parent / 'CMakeLists.txt'
+                lists = next(folder / 'CMakeLists.txt' for folder in path.parents if (folder / 'CMakeLists.txt').exists())
+                builder = ROOT / 'scripts/check_sanitizers.sh' if path.parent.name == 'sanitizers' else lists
                 lists = builder.read_text()
                 stem = re.sub('_(ros)?test$', '', path.stem)
                 self.assertTrue(path.name in lists or stem in lists, '%s is built by nobody' % path.relative_to(ROOT))

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/decision/joint_type_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "articulation/decision/motion_detection.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// [nats] Between the evidence of moving models.
+constexpr double kClear = 25;
+
+/// Poses times steps that one update may take.
+constexpr int kWork = 360;
+
+constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
+
+/// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with: a sequence is
+/// tied to the path by its first residual, which must not be a false detection.
+PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidate>& candidates, double limit) {
+  const auto explained = [&](const Eigen::Isometry3d& pose) {
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+      if (!candidate.model->moves()) return false;
+      const Eigen::Isometry3d predicted = candidate.model->predict(candidate.model->configuration(pose));
+      return (pose.translation() - predicted.translation()).norm() <= limit;
+    });
+  };
+  const auto continues = [&](std::size_t i) {
+    if (i + 1 >= track.size() || track.startsRun(i + 1)) return true;
+    const double step = (track.poses[i + 1].translation() - track.poses[i].translation()).norm();
+    return step <= limit + kFastest * (track.stamps[i + 1] - track.stamps[i]);
+  };
+  std::vector<std::size_t> indices;
+  std::vector<char> run_starts;
+  bool waiting = true;
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    waiting = waiting || track.startsRun(i);
+    if (waiting && !(explained(track.poses[i]) && continues(i))) continue;
+    indices.push_back(i);
+    run_starts.push_back(waiting);
+    waiting = false;
+  }
+  if (indices.empty()) return track;
+  PoseSequence sequence = selected(track, indices);
+  sequence.run_starts = run_starts;
+  return sequence;
+}
+
+/// [m] Of what the models that move say of the way.
+double longestPath(const std::vector<Candidate>& candidates) {
+  double longest = 0;
+  for (const Candidate& candidate : candidates) longest = std::max(longest, candidate.residuals.path);
+  return longest;
+}
+
+}  // namespace
+
+void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint reference, bool thorough,
+                                 std::vector<Candidate>* candidates) {
+  const bool goes_on = compared_at_ > 0 && !thorough && entries_.size() == candidates->size();
+  const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
+  const double limit = 3 * config_.sigma_position;
+  const double path = longestPath(*candidates);
+  // Without an earlier verdict a first glance would be taken for one.
+  thorough = thorough || verdict_.size() != candidates->size();
+  const auto begin = [&](std::size_t count) {
+    track_ = fromExplained(poses.runs(reference, count), *candidates, limit);
+    compared_at_ = poses.size();
+    compared_path_ = path;
+    entries_.assign(candidates->size(), {});
+    thorough ? compare(*candidates) : advance(*candidates);
+  };
+  if (!goes_on) close_ = false;
+  // What was clear stays clear until a good deal more was seen, or a bit more of the way.
+  const bool known = isClear() && 10 * poses.size() < 11 * compared_at_ && path < 1.1 * compared_path_;
+  if (goes_on && !isSettled())
+    advance(*candidates);
+  else if (!goes_on || !known)
+    begin(close_ ? more : kRunPoses);
+  if (isSettled() && !isClear() && !close_ && std::min(more, poses.size()) > kRunPoses) {
+    close_ = true;
+    if (thorough) begin(more);
+  }
+  // Until the next comparison has come to an end, the last one tells more.
+  if (thorough || isSettled()) verdict_ = entries_;
+  for (std::size_t i = 0; i < candidates->size(); ++i) (*candidates)[i].evidence = verdict_[i].evidence;
+}
+
+void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
+  // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
+  const bool few = track_.size() < MotionDetector::kFew && !track_.orientation_weights.empty();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    ArticulationModel& model = *candidates[i].model;
+    if (model.moves()) set(i, model, {few ? 0 : model.sequenceLogLikelihood(track_, rivalOf(i)), true});
+  }
+}
+
+/// As many steps as there is time for, of one model after the other where that is not even one for each.
+void JointTypeComparison::advance(const std::vector<Candidate>& candidates) {
+  std::size_t steps = std::max<std::size_t>(1, kWork / track_.size());
+  if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.moves; }))
+    --steps;  // for a first look
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (!candidates[i].model->moves()) continue;
+    if (!entries_[i].moves) set(i, *candidates[i].model, candidates[i].model->advanceSequence(track_, 0, std::nullopt));
+    if (!entries_[i].settled) open.push_back(i);
+  }
+  for (std::size_t k = 0; k < std::min(steps, open.size()); ++k) {
+    const std::size_t i = open[turn_++ % open.size()];
+    const std::size_t share = std::max<std::size_t>(1, steps / open.size());
+    set(i, *candidates[i].model, candidates[i].model->advanceSequence(track_, static_cast<int>(share), rivalOf(i)));
+  }
+}
+
+void JointTypeComparison::set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress) {
+  const double penalty = 0.5 * model.complexity(track_.has_orientation) * std::log(static_cast<double>(track_.size()));
+  entries_[i] = {true, progress.log_likelihood, progress.log_likelihood - penalty, progress.settled};
+}
+
+std::optional<double> JointTypeComparison::rivalOf(std::size_t i) const {
+  std::optional<double> best;
+  for (std::size_t k = 0; k < entries_.size(); ++k)
+    if (k != i && entries_[k].moves) best = std::max(best.value_or(entries_[k].log_likelihood), entries_[k].log_likelihood);
+  return best;
+}
+
+bool JointTypeComparison::isSettled() const {
+  return std::all_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.settled; });
+}
+
+bool JointTypeComparison::isClear() const {
+  double first = -std::numeric_limits<double>::infinity(), second = first;
+  for (const Entry& entry : entries_) {
+    if (!entry.moves) continue;
+    second = std::max(second, std::min(first, entry.evidence));
+    first = std::max(first, entry.evidence);
+  }
+  return first - second > kClear;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/decision/model_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "articulation/models/model_registry.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// Share of all joints that one must have to be told from a few poses.
+constexpr double kSureOfJoint = 0.75;
+
+/// Probability of a motion that is evident from a few poses (few enough for their likelihood to say little).
+constexpr double kEvident = 0.99;
+
+/// [nats] By which a joint that is no plausible one must be better to be believed in.
+constexpr double kImplausible = 5;
+
+/// Standard deviations beyond which a pose is no worse.
+constexpr double kGross = 5;
+
+double logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+/// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.
+double sequenceCorrelation(const std::vector<Eigen::Vector3d>& residuals, double limit) {
+  double product = 0, square = 0;
+  Eigen::Vector3d previous = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& residual : residuals) {
+    const Eigen::Vector3d cut = residual * std::min(1.0, limit / std::max(1e-12, residual.norm()));
+    product += cut.dot(previous);
+    square += cut.squaredNorm();
+    previous = cut;
+  }
+  return square > 0 ? std::clamp(product / square, 0.0, 0.99) : 0;
+}
+
+/// Correlation of the autoregressive sequence whose mean is as uncertain as that of the residuals: noise of which a part is
+/// slow forgets later than its correlation from one to the next says. Sums correlations while pairs of them are positive.
+double longMemory(const std::vector<Eigen::Vector3d>& residuals, double limit) {
+  std::vector<Eigen::Vector3d> cut;
+  double square = 0;
+  for (const Eigen::Vector3d& residual : residuals) {
+    cut.push_back(residual * std::min(1.0, limit / std::max(1e-12, residual.norm())));
+    square += cut.back().squaredNorm();
+  }
+  if (square <= 0) return 0;
+  const auto correlation = [&](std::size_t lag) {
+    double product = 0;
+    for (std::size_t i = lag; i < cut.size(); ++i) product += cut[i].dot(cut[i - lag]);
+    return product / square;
+  };
+  double sum = 1;
+  for (std::size_t lag = 1; lag + 1 < std::min<std::size_t>(cut.size() / 3, 40); lag += 2) {
+    const double pair = correlation(lag) + correlation(lag + 1);
+    if (pair <= 0) break;
+    sum += 2 * pair;
+  }
+  return std::clamp((sum - 1) / (sum + 1), 0.0, 0.97);
+}
+
+/// Largest distance [m] of the observed path from its chord.
+double bow(const Candidate& candidate) {
+  constexpr int kSteps = 8;
+  const double q_min = candidate.residuals.q_min, q_max = candidate.residuals.q_max;
+  const Eigen::Vector3d first = candidate.model->predict(q_min).translation();
+  const Eigen::Vector3d chord = candidate.model->predict(q_max).translation() - first;
+  double largest = 0;
+  for (int i = 1; i < kSteps; ++i) {
+    const Eigen::Vector3d p = candidate.model->predict(q_min + (q_max - q_min) * i / kSteps).translation() - first;
+    const Eigen::Vector3d away = chord.norm() > 0 ? Eigen::Vector3d(p - chord * chord.dot(p) / chord.squaredNorm()) : p;
+    largest = std::max(largest, away.norm());
+  }
+  return largest;
+}
+
+/// Angle [rad] by which the front turned along the observed path.
+double turn(const Candidate& candidate) {
+  const Eigen::Matrix3d first = candidate.model->predict(candidate.residuals.q_min).linear();
+  return Eigen::AngleAxisd(first.transpose() * candidate.model->predict(candidate.residuals.q_max).linear()).angle();
+}
+
+/// Share of a candidate's residuals that are independent of one another.
+double independentShare(const Candidate& candidate) { return (1 - candidate.correlation) / (1 + candidate.correlation); }
+
+/// [nats] Log of the odds of a model against a simpler one, for residuals of which only as many count as are independent.
+double advantage(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track) {
+  const double independent = independentShare(candidate);
+  const int parameters = candidate.model->complexity(track.has_orientation) - simpler.model->complexity(track.has_orientation);
+  return independent * (candidate.cautious_log_likelihood - simpler.cautious_log_likelihood) -
+         0.5 * parameters * std::log(std::max(1.0, independent * static_cast<double>(track.size())));
+}
+
+/// What the candidates are to one another; null where there is none.
+struct Roles {
+  const Candidate* still = nullptr;
+  const Candidate* moving = nullptr;  ///< the joint that explains a motion best
+  const Candidate* free = nullptr;    ///< a curve of any shape
+};
+
+/// Also adds to the evidence of joints what their independent residuals say.
+Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track, const ArticulationConfig& config) {
+  Roles roles;
+  for (Candidate& candidate : *candidates) {
+    if (!candidate.model->moves()) {
+      roles.still = &candidate;
+      continue;
+    }
+    if (!candidate.model->isParametric()) {
+      roles.free = &candidate;
+      continue;
+    }
+    if (roles.moving) {
+      const double turn_min = track.orientation_weights.empty() ? config.turn_min : 0;
+      const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= turn_min);
+      if (!bends) candidate.evidence = std::min(candidate.evidence, roles.moving->evidence);
+      // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
+      const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
+      candidate.evidence += track.has_orientation ? difference : std::min(0.0, difference);
+      if (explains(*roles.moving, config) && !explains(candidate, config))
+        candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
+      if (!explains(*roles.moving, config) && explains(candidate, config))
+        candidate.evidence = std::max(candidate.evidence, roles.moving->evidence + kImplausible);
+      if (!candidate.plausible && candidate.evidence < roles.moving->evidence + kImplausible)
+        candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
+    }
+    if (!roles.moving || candidate.evidence > roles.moving->evidence) roles.moving = &candidate;
+  }
+  if (!roles.moving) std::swap(roles.moving, roles.free);
+  return roles;
+}
+
+/// Is it more probable than all other joints together?
+bool isSureOfJoint(const std::vector<Candidate>& candidates, const Candidate& best) {
+  double sum = 0;
+  for (const Candidate& candidate : candidates)
+    if (candidate.model->moves()) sum += std::exp(candidate.evidence - best.evidence);
+  return sum < 1 / kSureOfJoint;
+}
+
+/// Probability that the front moved, as `best` says.
+double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles& roles, const Candidate* best,
+                           const PoseSequence& track, const MotionDetector* detector, double log_odds) {
+  if (!best) return 0;
+  if (!roles.still) return 1;
+  const double odds = advantage(*best, *roles.still, track), moved = logistic(odds);
+  if (!best->plausible) return std::min(moved, 0.5);
+  if (!detector) return std::max(moved, kEvident);
+  if (isSureOfJoint(candidates, *best) && detector->isEvidentEarly(*best->model, best->residuals, track))
+    return std::max(moved, kEvident);
+  return odds >= log_odds && detector->passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
+}
+
+/// Index = JointType. `moved` and `beyond`: of motion, and of motion that no joint describes.
+std::vector<double> probabilitiesOf(const std::vector<Candidate>& candidates, const Roles& roles, double moved, double beyond) {
+  std::vector<double> probabilities(modelRegistry().size(), 0);
+  const auto probability = [&probabilities](const Candidate& candidate) -> double& {
+    return probabilities[static_cast<std::size_t>(candidate.model->type())];
+  };
+  const auto share = [&roles](const Candidate& candidate) {
+    return candidate.model->moves() && &candidate != roles.free ? std::exp(candidate.evidence - roles.moving->evidence) : 0;
+  };
+  if (roles.still) probability(*roles.still) = 1 - moved;
+  if (roles.free) probability(*roles.free) = moved * beyond;
+  double sum = 0;
+  for (const Candidate& candidate : candidates) sum += share(candidate);
+  for (const Candidate& candidate : candidates)
+    if (share(candidate) > 0) probability(candidate) = moved * (1 - beyond) * share(candidate) / sum;
+  return probabilities;
+}
+
+}  // namespace
+
+Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track, const ArticulationConfig& config) {
+  Candidate candidate;
+  candidate.model = model;
+  candidate.residuals = model->residuals(track);
+  candidate.log_likelihood = model->logLikelihood(track, candidate.residuals);
+  const double caution = track.orientation_weights.empty() ? 1 : std::max(1.0, config.sigma_position / config.sigma_plane);
+  candidate.cautious_log_likelihood =
+      caution > 1 ? model->logLikelihood(track, candidate.residuals, caution) : candidate.log_likelihood;
+  const double limit = 3 * config.sigma_position;
+  candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
+  candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));
+  const double share = 1 / static_cast<double>(track.size());
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    const double deviation = std::max(candidate.residuals.displaced[i], candidate.residuals.turned[i]);
+    candidate.outlier_share += deviation > 3 ? share : 0;
+    candidate.mean_deviation += share * std::min(deviation, kGross);
+  }
+  return candidate;
+}
+
+bool explains(const Candidate& candidate, const ArticulationConfig& config) {
+  return candidate.outlier_share <= config.outlier_share_max && candidate.mean_deviation <= config.deviation_max;
+}
+
+Selection selectModel(std::vector<Candidate>* candidates, const PoseSequence& track, const MotionDetector* detector,
+                      double log_odds, const ArticulationConfig& config) {
+  const Roles roles = assignRoles(candidates, track, config);
+  const bool open = roles.free && !explains(*roles.moving, config);
+  const double beyond = open ? logistic(advantage(*roles.free, *roles.moving, track)) : 0;
+  const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
+  const double moved = probabilityOfMotion(*candidates, roles, best, track, detector, log_odds);
+  Selection selection;
+  if (best) selection.log_odds = roles.still ? advantage(*best, *roles.still, track) : std::numeric_limits<double>::infinity();
+  selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
+  selection.moved = best && moved > 0.5;
+  selection.explained = !selection.moved || explains(*best, config);
+  if (!selection.moved && roles.still) best = roles.still;
+  if (best) selection.best = static_cast<std::size_t>(best - candidates->data());
+  return selection;
+}
+
+}  // namespace cabinet_articulation::core

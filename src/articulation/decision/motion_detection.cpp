@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/decision/motion_detection.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "articulation/models/nonparametric_model.h"
+#include "articulation/observations/observation_covariance.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+static_assert(NonparametricModel::kLeastPoses > MotionDetector::kFew, "a free curve is no evidence for motion in a few poses");
+
+constexpr std::size_t kTriples = 200;
+constexpr double kArmWidth = 0.09;        ///< [m] what is narrower may be an arm
+constexpr double kClutterSize = 0.2;      ///< [m] a few of what is smaller may be a face of something that lies about
+constexpr double kFastestTurn = 3;        ///< [rad/s] planes that are taken for one another turn at once
+constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
+constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
+
+constexpr double kLargestGap = 0.7;  ///< largest unobserved share of the travelled range
+constexpr double kQuick = 0.5;  ///< [s] within which a hand hardly turns round
+
+constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
+
+/// Largest share of the variation that may go back and forth (measured: faces of clutter that tilt 0.3 to 1.4, fronts that open
+/// less than 0.03).
+constexpr double kRestless = 0.25;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Steps that lead back where the step before came from: a front that is moved, however unevenly, makes hardly any from one
+/// frame to the next; of frames far apart nothing can be said. Noise of standard deviation s in each of three directions has a
+/// median of 1.475 s of what is taken here.
+double jitterOf(const PoseSequence& poses, const Eigen::Vector3d& point) {
+  constexpr double kToSigma = 1 / 1.475;
+  std::vector<double> back;
+  const std::size_t stride = std::max<std::size_t>(1, poses.size() / kTriples);
+  for (std::size_t i = 1; i + 1 < poses.size(); i += stride) {
+    if (poses.stamps[i + 1] - poses.stamps[i - 1] > 2 * kQuick) continue;
+    const Eigen::Vector3d here = poses.poses[i] * point;
+    const Eigen::Vector3d step = here - poses.poses[i - 1] * point, next = poses.poses[i + 1] * point - here;
+    back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
+  }
+  return kToSigma * median(std::move(back));
+}
+
+/// Of the front, relative to its reference point, which is the first of the outline; the corners follow.
+Eigen::Vector3d centerOf(const std::vector<Eigen::Vector3d>& outline) {
+  const Eigen::Vector3d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector3d(0, 0, 0));
+  return sum / std::max<double>(1, static_cast<double>(outline.size()) - 1);
+}
+
+double pathOf(const ArticulationModel& model, const ModelResiduals& residuals, const Eigen::Vector3d& point) {
+  constexpr int kSteps = 8;
+  double length = 0;
+  Eigen::Vector3d last = model.predict(residuals.q_min) * point;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Eigen::Vector3d next = model.predict(residuals.q_min + (residuals.q_max - residuals.q_min) * i / kSteps) * point;
+    length += (next - last).norm();
+    last = next;
+  }
+  return length;
+}
+
+/// Largest share of the way along which nothing was seen.
+double largestGap(const ModelResiduals& residuals) {
+  const double range = residuals.q_max - residuals.q_min;
+  std::vector<double> places;
+  for (const double q : residuals.q)
+    if (q >= residuals.q_min && q <= residuals.q_max) places.push_back(q);
+  std::sort(places.begin(), places.end());
+  double gap = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) gap = std::max(gap, places[i] - places[i - 1]);
+  return range > 0 ? gap / range : 1;
+}
+
+/// Root mean square distance of a point from where the model predicts it, each cut at `limit`.
+double spreadOf(const ModelResiduals& residuals, const PoseSequence& poses, const Eigen::Vector3d& point, double limit) {
+  double sum = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Vector3d lever = poses.poses[i].linear() * point;
+    sum += std::min(limit * limit, (residuals.position[i] + residuals.orientation[i].cross(lever)).squaredNorm());
+  }
+  return std::sqrt(sum / static_cast<double>(poses.size()));
+}
+
+/// Median share of the edges seen, where along the way it is best: a front that stands wide open may hardly be seen.
+double edgeSupport(const ModelResiduals& residuals, const PoseSequence& poses) {
+  constexpr int kParts = 3;
+  constexpr std::size_t kEnough = 3;
+  std::array<std::vector<double>, kParts> parts;
+  std::vector<double> all;
+  const double range = residuals.q_max - residuals.q_min;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!std::isfinite(poses.edge_support[i])) continue;
+    const double way = range > 0 ? std::clamp((residuals.q[i] - residuals.q_min) / range, 0.0, 1.0) : 0;
+    parts[std::min(kParts - 1, static_cast<int>(kParts * way))].push_back(poses.edge_support[i]);
+    all.push_back(poses.edge_support[i]);
+  }
+  double best = median(std::move(all));
+  for (std::vector<double>& part : parts)
+    if (part.size() >= kEnough) best = std::max(best, median(std::move(part)));
+  return best;
+}
+
+/// How much places along the way go back and forth from one pose to the next, as a share of how they vary at all: 1 for white
+/// noise, 0.4 where noise has a correlation of a half, 0 for a way that was gone along however unevenly. Of poses that are far
+/// apart nothing can be said: there and back may be two motions.
+double restlessness(const ModelResiduals& residuals, const PoseSequence& poses) {
+  constexpr double kOfWhiteNoise = 1.218;  // mean of max(0, -a b) for successive steps a, b of white noise of unit variance
+  double back = 0, mean = 0, square = 0;
+  int triples = 0, n = 0;
+  std::size_t last = 0, before = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double q = residuals.q[i];
+    if (residuals.displaced[i] > 3 || q < residuals.q_min || q > residuals.q_max) continue;
+    if (n > 1 && poses.stamps[i] - poses.stamps[before] <= 2 * kQuick) {
+      back += std::max(0.0, -(q - residuals.q[last]) * (residuals.q[last] - residuals.q[before]));
+      ++triples;
+    }
+    before = last;
+    last = i;
+    ++n;
+    const double off = q - mean;
+    mean += off / n;
+    square += off * (q - mean);
+  }
+  return triples > 0 && square > 0 ? back / triples / (kOfWhiteNoise * square / n) : 0;
+}
+
+bool isSmall(const Track& track) { return std::max(track.width, track.height) < kClutterSize && track.width > 0; }
+
+bool isNarrow(const Track& track) { return std::min(track.width, track.height) < kArmWidth && track.width > 0; }
+
+/// An arm comes from somewhere: one of its edges is never seen.
+bool lacksAnEdge(const Track& track) {
+  constexpr float kSeen = 0.3F;
+  for (int edge = 0; edge < 4; ++edge) {
+    const auto seen = [edge](const TrackedObservation& observation) { return observation.edge_support[edge] > kSeen; };
+    if (std::none_of(track.observations.begin(), track.observations.end(), seen)) return true;
+  }
+  return false;
+}
+
+/// Two observations of very different sizes rather are of two things.
+bool isOfTwoThings(const Track& track) {
+  constexpr double kAlike = 0.7;
+  if (track.observations.size() != 2) return false;
+  const auto differs = [](double a, double b) { return std::min(a, b) < kAlike * std::max(a, b); };
+  const Rectangle &first = track.observations[0].measured, &second = track.observations[1].measured;
+  return differs(first.width, second.width) || differs(first.height, second.height);
+}
+
+bool pauses(const PoseSequence& poses) {
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    if (poses.stamps[i] - poses.stamps[i - 1] > kLongestPause) return true;
+  return false;
+}
+
+/// Of the observations that say how certain they are.
+Matrix6d meanCovariance(const Track& track, const ArticulationConfig& config) {
+  Matrix6d sum = Matrix6d::Zero();
+  int count = 0;
+  const std::size_t stride = std::max<std::size_t>(1, track.observations.size() / kCovariances);
+  for (std::size_t i = 0; i < track.observations.size(); i += stride) {
+    if (!reportsNoise(track.observations[i])) continue;
+    sum += totalCovariance(track.observations[i], config);
+    ++count;
+  }
+  return sum / std::max(1, count);
+}
+
+}  // namespace
+
+MotionDetector::MotionDetector(const Track& track, const PoseSequence& poses, const ArticulationConfig& config)
+    : config_(config), few_(poses.size() < kFew), covariance_(meanCovariance(track, config)) {
+  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) ||
+             (few_ && (pauses(poses) || isSmall(track) || isOfTwoThings(track))) ||
+             (isNarrow(track) && (poses.size() < kNarrowPoses || lacksAnEdge(track)));
+  for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
+}
+
+bool MotionDetector::wasSeen(const ModelResiduals& residuals, const PoseSequence& poses) const {
+  return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min && restlessness(residuals, poses) <= kRestless;
+}
+
+bool MotionDetector::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const {
+  if (!wasSeen(residuals, poses) || largestGap(residuals) > kLargestGap) return false;
+  for (std::size_t k = 0; k < poses.outline.size(); ++k) {
+    const double path = pathOf(model, residuals, poses.outline[k]);
+    if (path >= config_.motion_min && standsOut(path, k, residuals, poses)) return true;
+  }
+  return false;
+}
+
+bool MotionDetector::isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals,
+                                    const PoseSequence& poses) const {
+  if (!few_ || covariance_.isZero(0) || !wasSeen(residuals, poses)) return false;
+  if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return false;
+  const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
+  const double turn = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
+  if (turn > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return false;
+  const Eigen::Vector3d center = centerOf(poses.outline);
+  for (std::size_t k = 0; k < poses.outline.size(); ++k) {
+    const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
+    const bool certain = significance(way, last.linear() * (poses.outline[k] - center)) > config_.motion_to_sigma;
+    if (certain && standsOut(way.norm(), k, residuals, poses)) return true;
+  }
+  return false;
+}
+
+/// Mahalanobis distance between two observations of a point that is `lever` away from the front's centre.
+double MotionDetector::significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const {
+  Eigen::Matrix<double, 3, 6> motion;  // of the point with the front's pose
+  motion << Eigen::Matrix3d::Identity(),
+      (Eigen::Matrix3d() << 0, lever.z(), -lever.y(), -lever.z(), 0, lever.x(), lever.y(), -lever.x(), 0).finished();
+  const Eigen::Matrix3d covariance = 2 * motion * covariance_ * motion.transpose();
+  return std::sqrt(way.dot(covariance.inverse() * way));
+}
+
+/// Is the path of a point of the outline much longer than its jitter and its distance from where the model says?
+bool MotionDetector::standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const {
+  return path >= config_.motion_to_jitter * jitter_[point] &&
+         path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], 3 * config_.sigma_position);
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "articulation/models/articulation_model.h"
+#include "articulation/observations/pose_sequence.h"
+#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/**
+ * Whether a front moved (ours). Pieces of furniture that are hardly visible jitter by centimetres and tens of degrees while
+ * they stand still. Some point of the front must have come farther than motion_min, than motion_to_jitter times its jitter
+ * from one frame to the next, and than motion_to_noise times its distance from where the model says. It must have been seen in
+ * between, too, and its place along the way must not go back and forth from one frame to the next. There is no
+ * motion while the median observation has less than edge_support_min of its edges on every third of the way, there are fewer
+ * than observations_min, few that do not follow one another at once or are of something small, or few of something narrow, as
+ * hands and arms give.
+ */
+class MotionDetector {
+ public:
+  static constexpr std::size_t kFew = 6;  ///< fewer poses than this are few
+
+  /// `poses` are those of `track`'s front, in the order of their stamps.
+  MotionDetector(const Track& track, const PoseSequence& poses, const ArticulationConfig& config);
+
+  /// `residuals` are those of `poses`, which may be thinned out.
+  bool passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
+
+  /// The same for a front that was seen a few times only, from two on: what counts in place of motion_min is that a point came
+  /// farther than motion_to_sigma times what the observations themselves say is uncertain, no faster than hands are. A front
+  /// that has stood still for longer is not asked, since a plane at rest that takes in a bit of what comes out of it seems to
+  /// turn.
+  bool isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
+
+  /// [m] Standard deviation of the points of the outline from one frame to the next, in each direction.
+  const std::vector<double>& jitter() const { return jitter_; }
+
+ private:
+  bool wasSeen(const ModelResiduals& residuals, const PoseSequence& poses) const;
+  double significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const;
+  bool standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const;
+
+  ArticulationConfig config_;
+  bool refused_, few_;
+  std::vector<double> jitter_;
+  Matrix6d covariance_;  ///< of an observation, in the mean; zero: none was reported
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "articulation/observations/observation_history.h"
+#include "articulation/paths/arc.h"
+
+namespace cabinet_articulation::core {
+
+/// Looks for the point of a front whose positions have the least noise about a circle, measured by the way they come (ours; a
+/// point far from the hinge is seen better than the centre, half of whose error comes from the edge at the hinge). The centre
+/// where the size hardly varies, once the front was seen more than a few times. One point at a time, so that a track that goes
+/// on need not wait.
+class ReferenceSearch {
+ public:
+  explicit ReferenceSearch(const ArticulationConfig& config) : config_(config) {}
+
+  /// Looks at one more point of a front of the given size. True when that was the last.
+  bool advance(const ObservationHistory& poses, double width, double height);
+
+  /// The best point. `preferred` (may be null) is kept unless another is clearly better.
+  ReferencePoint best(const ReferencePoint* preferred) const;
+
+ private:
+  struct Option {
+    ReferencePoint point;
+    double noise;
+  };
+
+  ArticulationConfig config_;
+  std::vector<Option> options_;
+  Arc center_arc_;
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/models/arc_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "articulation/fitting/initial_arc.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// [nats] Differences in likelihood above which no other local optimum will turn the answer (measured: 24 was turned).
+constexpr double kClear = 40;
+
+/// Poses times steps of a refit.
+constexpr int kRefitWork = 160;
+
+/// Enough poses to start from.
+PoseSequence thinned(const PoseSequence& track) {
+  constexpr std::size_t kPoses = 100;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < track.size(); i += 1 + track.size() / kPoses) indices.push_back(i);
+  return selected(track, indices);
+}
+
+/// Is it time to look from everywhere again?
+bool isMuchMore(std::size_t poses, std::size_t before) { return poses > before + before / 4; }
+
+}  // namespace
+
+bool ArcModel::isEnough(const PoseSequence& track) const {
+  return track.size() >= (shape_ == PathShape::kLine || track.has_orientation ? 2u : 3u);
+}
+
+bool ArcModel::fit(const PoseSequence& track) {
+  if (!isEnough(track)) return false;
+  const PoseSamples samples(track);
+  with_orientation_ = track.has_orientation;
+  take(samples, fitArc(samples, shape_, startOf(samples), config_));
+  fitted_ = true;
+  updates_ = 0;
+  fresh_.reset();
+  sequence_.reset();
+  others_.clear();
+  return true;
+}
+
+bool ArcModel::refit(const PoseSequence& track) {
+  if (!fitted_ || with_orientation_ != track.has_orientation) return fit(track);
+  const PoseSamples samples(track);
+  const int steps = std::max(1, kRefitWork / static_cast<int>(samples.size()));
+  // A front that leaves the path it was thought to follow starts to move: its fit may be nowhere near.
+  const bool leaves = std::sqrt(fit_.arc.squaredDistance(samples.positions.back())) > 3 * fit_.position_scale;
+  if (fresh_) {
+    refitBesidesFresh(samples, leaves ? 0 : (steps + ++updates_ % 2) / 2, steps);
+  } else {
+    fit_ = continueArc(samples, shape_, fit_, steps, config_);
+    if (leaves || 10 * ++updates_ > static_cast<int>(samples.size())) {
+      fresh_ = ArcFit{startOf(PoseSamples(thinned(track))), config_.sigma_position, config_.sigma_orientation_floor};
+      updates_ = fresh_steps_ = 0;
+    }
+  }
+  take(samples, fit_);
+  return true;
+}
+
+/// The two fits share the steps: `steps` of `all`.
+void ArcModel::refitBesidesFresh(const PoseSamples& samples, int steps, int all) {
+  constexpr int kFreshSteps = 8;
+  fit_ = continueArc(samples, shape_, fit_, steps, config_);
+  fresh_ = continueArc(samples, shape_, *fresh_, all - steps, config_);
+  if (fresh_->cost < fit_.cost) std::swap(*fresh_, fit_);
+  fresh_steps_ += all - steps;
+  if (fresh_steps_ < kFreshSteps) return;
+  fresh_.reset();
+  updates_ = 0;
+}
+
+void ArcModel::take(const PoseSamples& samples, const ArcFit& fit) {
+  fit_ = fit;
+  arc_ = fit.arc;
+  orient(samples);
+  fit_.arc = arc_;
+}
+
+void ArcModel::moveReference(const Eigen::Vector3d& offset) {
+  fit_.arc = fit_.arc.shifted(offset);
+  fresh_.reset();
+  if (sequence_) sequence_->arc = sequence_->arc.shifted(offset);
+  for (SequenceFit& other : others_) other.arc = other.arc.shifted(offset);
+}
+
+Arc ArcModel::startOf(const PoseSamples& samples) const {
+  return shape_ == PathShape::kLine ? consensusArc(samples, shape_, config_) : bestCircleStart(samples, config_);
+}
+
+void ArcModel::orient(const PoseSamples& samples) {
+  if (arc_.curvature < 0) {
+    arc_.curvature = -arc_.curvature;
+    arc_.frame.rightCols<2>() *= -1;
+  }
+  arc_ = arc_.recentered(meanArcLength(arc_, samples.positions));
+  const auto lengthOf = [this, &samples](std::size_t i) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = samples.positions[i];
+    pose.linear() = samples.orientations[i].toRotationMatrix();
+    return arcLength(pose);
+  };
+  double min = std::numeric_limits<double>::infinity(), max = -min;
+  double first = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (arc_.squaredDistance(samples.positions[i]) > 9 * config_.sigma_position * config_.sigma_position) continue;
+    const double s = lengthOf(i);
+    if (std::isnan(first)) first = s;
+    min = std::min(min, s);
+    max = std::max(max, s);
+  }
+  if (std::isnan(first)) first = min = max = lengthOf(0);
+  const double middle = (min + max) / 2;
+  arc_ = arc_.recentered(middle);
+  first_ = first - middle;
+  if (max - first >= first - min) return;
+  arc_.frame.col(0) *= -1;
+  arc_.frame.col(2) *= -1;
+  first_ = -first_;
+}
+
+double ArcModel::arcLength(const Eigen::Isometry3d& pose) const {
+  double s = arc_.arcLength(pose.translation());
+  if (shape_ == PathShape::kLine || !with_orientation_) return s;
+  const double ratio = arc_.curvature * fit_.position_scale / fit_.orientation_scale;
+  const auto turnAt = [this, &pose](double at) {
+    const Eigen::Quaterniond rest(pose.linear() * arc_.pose(at).linear().transpose());
+    const double twist = Eigen::Vector3d(rest.vec()).dot(arc_.axis());
+    return 2 * std::atan2(rest.w() < 0 ? -twist : twist, std::abs(rest.w()));
+  };
+  // Close to the axis the orientation says better than the position how far the front has turned.
+  if (2.5 * ratio > 1) s = turnAt(0) / arc_.curvature;
+  const Eigen::Isometry3d predicted = arc_.pose(s);
+  const Eigen::Vector3d tangent = Eigen::AngleAxisd(arc_.curvature * s, arc_.axis()) * arc_.tangent();
+  const double along = tangent.dot(pose.translation() - predicted.translation());
+  return s + (along + ratio * ratio * turnAt(s) / arc_.curvature) / (1 + ratio * ratio);
+}
+
+double ArcModel::configuration(const Eigen::Isometry3d& pose) const { return (arcLength(pose) - first_) * unit(); }
+
+double ArcModel::sequenceLogLikelihood(const PoseSequence& track, std::optional<double> rival) {
+  const PoseSamples samples(track);
+  sequence_ = fitArcSequence(samples, shape_, fit_, arc_, rival, config_);
+  others_.clear();
+  // Circles have local optima: where it matters, they are looked for from everywhere.
+  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
+  if (shape_ == PathShape::kLine || !close) return sequence_->log_likelihood;
+  searched_at_ = samples.size();
+  for (const Arc& start : typicalCircles(samples, arc_)) {
+    const SequenceFit fit = fitArcSequence(samples, shape_, fit_, start, rival, config_);
+    if (fit.log_likelihood > sequence_->log_likelihood) sequence_ = fit;
+  }
+  return sequence_->log_likelihood;
+}
+
+SequenceProgress ArcModel::advanceSequence(const PoseSequence& track, int steps, std::optional<double> rival) {
+  const PoseSamples samples(track);
+  if (!sequence_) sequence_ = sequenceStart(samples, fit_, arc_, config_);
+  // The last fit may have been to other poses: it is looked at anew, if only without a step.
+  const bool tries_other = sequence_->settled && !others_.empty() && steps > 0;
+  sequence_ = continueArcSequence(samples, shape_, fit_, *sequence_, tries_other ? 0 : steps, config_);
+  if (steps == 0) startFromFitIfBetter(samples);
+  if (tries_other) tryOtherStart(samples, steps);
+  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
+  if (shape_ == PathShape::kLine || !close)
+    others_.clear();
+  else if (sequence_->settled && others_.empty() && isMuchMore(samples.size(), searched_at_)) {
+    searched_at_ = samples.size();
+    others_.push_back(sequenceStart(samples, fit_, arc_, config_));
+    for (const Arc& start : typicalCircles(samples, arc_)) others_.push_back(sequenceStart(samples, fit_, start, config_));
+  }
+  return {sequence_->log_likelihood, sequence_->settled && others_.empty()};
+}
+
+/// An earlier sequence fit may be caught in an optimum that other poses meanwhile made a bad one.
+void ArcModel::startFromFitIfBetter(const PoseSamples& samples) {
+  const SequenceFit start = sequenceStart(samples, fit_, arc_, config_);
+  const SequenceFit fresh = continueArcSequence(samples, shape_, fit_, start, 0, config_);
+  if (fresh.log_likelihood > sequence_->log_likelihood) sequence_ = fresh;
+}
+
+void ArcModel::tryOtherStart(const PoseSamples& samples, int steps) {
+  SequenceFit& other = others_.back();
+  other = continueArcSequence(samples, shape_, fit_, other, steps, config_);
+  const bool settled = other.settled;
+  if (other.log_likelihood > sequence_->log_likelihood) sequence_ = other;
+  if (settled) others_.pop_back();
+}
+
+Eigen::MatrixXd ArcModel::parameterCovariance(const PoseSequence& track, double correlation) const {
+  const double inflation = config_.covariance_factor * (1 + correlation) / (1 - correlation);
+  const Eigen::MatrixXd covariance = inflation * arcCovariance(PoseSamples(track), shape_, fit_, config_);
+  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(9, 9);
+  padded.topLeftCorner(covariance.rows(), covariance.cols()) = covariance;
+  return padded;
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "articulation/models/articulation_model.h"
+
+namespace cabinet_articulation::core {
+
+/// The front does not move: one pose, the robust mean of all.
+class RigidModel : public ArticulationModel {
+ public:
+  static constexpr JointType kType = JointType::kRigid;
+  static constexpr ConfigurationUnit kUnit = ConfigurationUnit::kMetre;
+  static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
+  static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
+
+  using ArticulationModel::ArticulationModel;
+
+  JointType type() const override { return kType; }
+  bool moves() const override { return false; }
+  int complexity(bool with_orientation) const override { return with_orientation ? 6 : 3; }
+  bool fit(const PoseSequence& track) override;
+  Eigen::Isometry3d predict(double) const override { return pose_; }
+  double configuration(const Eigen::Isometry3d&) const override { return 0; }
+  JointGeometry geometry() const override { return {}; }
+  Matrix6d covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const override;
+  std::vector<ModelParam> parameters() const override;
+  /// Not meaningful: slow motion is a sequence like any other, so that a rigid model would explain it.
+  double sequenceLogLikelihood(const PoseSequence&, std::optional<double>) override { return -1e300; }
+
+ private:
+  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace cabinet_articulation::core

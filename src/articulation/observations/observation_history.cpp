@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/observations/observation_history.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "articulation/observations/observation_covariance.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+bool isRotation(const Eigen::Matrix3d& R) {
+  return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && R.determinant() > 0;
+}
+
+/// sigma covariance^(-1/2): a deviation weighs as much as it would with noise of that sigma in every direction.
+Eigen::Matrix3d weightOf(const Eigen::Matrix3d& covariance, double sigma) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(1e-12);
+  return sigma * solver.eigenvectors() * variances.array().rsqrt().matrix().asDiagonal() * solver.eigenvectors().transpose();
+}
+
+}  // namespace
+
+void ObservationHistory::append(const TrackedObservation& observation, std::vector<Entry>* entries) const {
+  const Rectangle& rectangle = observation.rectangle;
+  if (!std::isfinite(observation.stamp) || observation.stamp < not_before_) return;
+  if (!std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
+  if (!rectangle.pose.matrix().allFinite() || !isRotation(rectangle.pose.linear())) return;
+  const auto& support = observation.edge_support;
+  Entry entry{observation.stamp,
+              rectangle.pose,
+              rectangle.width,
+              rectangle.height,
+              std::accumulate(support.begin(), support.end(), 0.0F) / 4,
+              false,
+              Eigen::Matrix3d::Identity(),
+              Eigen::Matrix3d::Identity()};
+  entry.weighted = reportsNoise(observation);
+  if (entry.weighted) {
+    const Matrix6d covariance = weighingCovariance(observation, config_);
+    entry.position_weight = weightOf(covariance.topLeftCorner<3, 3>(), config_.sigma_plane);
+    entry.orientation_weight = weightOf(covariance.bottomRightCorner<3, 3>(), config_.sigma_orientation);
+  }
+  entries->push_back(entry);
+}
+
+/// Index of the first observation that is new. Nothing if this is another track than that of the last update.
+std::optional<std::size_t> ObservationHistory::firstNew(const Track& track) const {
+  const std::vector<TrackedObservation>& all = track.observations;
+  if (observations_ == 0 || all.empty() || track.revision != revision_ || all.front().stamp != first_stamp_) return std::nullopt;
+  if (all.size() >= observations_ && all[observations_ - 1].stamp == last_stamp_) return observations_;
+  const auto known = [this](const TrackedObservation& observation) { return observation.stamp == last_stamp_; };
+  const auto newest = std::find_if(all.rbegin(), all.rend(), known);
+  if (newest == all.rend()) return std::nullopt;
+  return static_cast<std::size_t>(newest.base() - all.begin());
+}
+
+void ObservationHistory::leaveOutWhatIsNotIn(const Track& track) {
+  std::vector<double> stamps;
+  for (const TrackedObservation& observation : track.observations) stamps.push_back(observation.stamp);
+  std::sort(stamps.begin(), stamps.end());
+  const auto gone = [&stamps](const Entry& entry) { return !std::binary_search(stamps.begin(), stamps.end(), entry.stamp); };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), gone), entries_.end());
+}
+
+void ObservationHistory::dropBefore(double stamp) {
+  not_before_ = stamp;
+  const auto earlier = [stamp](const Entry& entry) { return entry.stamp < stamp; };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), earlier), entries_.end());
+}
+
+bool ObservationHistory::update(const Track& track) {
+  const std::optional<std::size_t> continued = firstNew(track);
+  std::vector<Entry> fresh;
+  for (std::size_t i = continued.value_or(0); i < track.observations.size(); ++i) append(track.observations[i], &fresh);
+  if (!continued) {
+    if (fresh.empty()) return false;
+    entries_.clear();
+  } else if (*continued < observations_) {
+    leaveOutWhatIsNotIn(track);
+  }
+  entries_.insert(entries_.end(), fresh.begin(), fresh.end());
+  const auto earlier = [](const Entry& a, const Entry& b) { return a.stamp < b.stamp; };
+  if (entries_.empty()) return false;
+  const bool in_order = std::is_sorted(entries_.begin(), entries_.end(), earlier);
+  if (!in_order) std::stable_sort(entries_.begin(), entries_.end(), earlier);
+  measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);
+  weighted_ =
+      config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
+  size_ << track.width, track.height;
+  revision_ = track.revision;
+  observations_ = track.observations.size();
+  first_stamp_ = track.observations.front().stamp;
+  last_stamp_ = track.observations.back().stamp;
+  return true;
+}
+
+double ObservationHistory::sizeDeviation() const {
+  const double n = static_cast<double>(entries_.size());
+  Eigen::Array2d mean = Eigen::Array2d::Zero(), deviation = mean;
+  for (const Entry& entry : entries_) mean += Eigen::Array2d(entry.width, entry.height) / n;
+  for (const Entry& entry : entries_) deviation += (Eigen::Array2d(entry.width, entry.height) - mean).abs() / n;
+  return deviation.maxCoeff();
+}
+
+PoseSequence ObservationHistory::track(ReferencePoint point, std::size_t count) const {
+  std::size_t stride = 1;
+  while (entries_.size() > count * stride) stride *= 2;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < entries_.size(); i += stride) indices.push_back(i);
+  if (!entries_.empty()) indices.back() = entries_.size() - 1;
+  return picked(point, indices);
+}
+
+PoseSequence ObservationHistory::runs(ReferencePoint point, std::size_t count) const {
+  constexpr std::size_t kRun = 20;
+  const std::size_t runs = count / kRun;
+  if (entries_.size() <= count || runs < 2) return track(point, count);
+  std::vector<std::size_t> indices;
+  for (const std::size_t start : runStarts(runs, kRun))
+    for (std::size_t i = 0; i < kRun; ++i) indices.push_back(start + i);
+  PoseSequence track = picked(point, indices);
+  for (std::size_t i = 0; i < indices.size(); ++i) track.run_starts.push_back(i % kRun == 0);
+  return track;
+}
+
+/// Of runs that do not overlap, the last one at the end. Rest tells of the noise, the way of the joint: either has half a say.
+std::vector<std::size_t> ObservationHistory::runStarts(std::size_t runs, std::size_t length) const {
+  const std::size_t last = entries_.size() - length;
+  const double way = entries_[last].way - entries_.front().way;
+  const auto progress = [&](std::size_t i) {
+    const double of_time = static_cast<double>(i) / static_cast<double>(last);
+    return way > 0 ? (of_time + (entries_[i].way - entries_.front().way) / way) / 2 : of_time;
+  };
+  std::vector<std::size_t> starts;
+  std::size_t i = 0;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const double target = static_cast<double>(run) / static_cast<double>(runs - 1);
+    while (i < last && progress(i) < target) ++i;
+    const std::size_t room = last - (runs - 1 - run) * length;
+    starts.push_back(std::min(i, room));
+    i = starts.back() + length;
+  }
+  return starts;
+}
+
+void ObservationHistory::measureWay(std::size_t from) {
+  if (from == 0) way_anchor_ = entries_.front().center.translation();
+  for (std::size_t i = from; i < entries_.size(); ++i) {
+    const double step = (entries_[i].center.translation() - way_anchor_).norm();
+    entries_[i].way = i > 0 ? entries_[i - 1].way : 0;
+    if (step < config_.sigma_position) continue;
+    entries_[i].way += step;
+    way_anchor_ = entries_[i].center.translation();
+  }
+}
+
+PoseSequence ObservationHistory::since(ReferencePoint point, double stamp) const {
+  const auto later = [](double value, const Entry& entry) { return value < entry.stamp; };
+  const auto first = std::upper_bound(entries_.begin(), entries_.end(), stamp, later);
+  std::vector<std::size_t> indices(static_cast<std::size_t>(entries_.end() - first));
+  std::iota(indices.begin(), indices.end(), static_cast<std::size_t>(first - entries_.begin()));
+  return picked(point, indices);
+}
+
+PoseSequence ObservationHistory::picked(ReferencePoint point, const std::vector<std::size_t>& indices) const {
+  PoseSequence track;
+  track.has_orientation = config_.use_orientation;
+  // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
+  if (size_.minCoeff() > 0) track.hinge = {config_.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
+  track.stamps.reserve(indices.size());
+  track.poses.reserve(indices.size());
+  track.edge_support.reserve(indices.size());
+  for (const std::size_t i : indices) {
+    const Entry& entry = entries_[i];
+    track.stamps.push_back(entry.stamp);
+    track.poses.push_back(entry.center);
+    track.poses.back().translate(point.offset(entry.width, entry.height));
+    track.edge_support.push_back(entry.edge_support);
+    if (!weighted_) continue;
+    track.position_weights.push_back(entry.position_weight);
+    track.orientation_weights.push_back(entry.orientation_weight);
+  }
+  return track;
+}
+
+std::vector<Eigen::Vector3d> ObservationHistory::outline(ReferencePoint point, double width, double height) const {
+  std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
+  if (!config_.use_orientation) return outline;
+  const double lever = config_.sigma_position / config_.sigma_orientation;
+  if (width <= 0 || height <= 0) width = height = 2 * lever;
+  for (const int x : {-1, 1})
+    for (const int y : {-1, 1}) outline.push_back(ReferencePoint{x, y}.offset(width, height) - point.offset(width, height));
+  return outline;
+}
+
+}  // namespace cabinet_articulation::core

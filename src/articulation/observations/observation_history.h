@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "articulation/observations/pose_sequence.h"
+#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/// A point of a front's rectangle: x, y in half widths and heights from the centre.
+struct ReferencePoint {
+  int x = 0;
+  int y = 0;
+
+  /// Its place in the front's own frame.
+  Eigen::Vector3d offset(double width, double height) const { return {x * width / 2, y * height / 2, 0}; }
+};
+
+/// The usable observations of a track, ready for fits and in the order of their stamps. An update costs as much as what
+/// is new.
+class ObservationHistory {
+ public:
+  explicit ObservationHistory(const ArticulationConfig& config) : config_(config) {}
+
+  /// Takes over what the track has now. False, and nothing changes, if it has no usable observation.
+  bool update(const Track& track);
+
+  /// Whether the track is the one of the last update, with new observations after those, of which some may be left out.
+  bool isContinuedBy(const Track& track) const { return firstNew(track).has_value(); }
+
+  /// From now on observations before `stamp` are left out.
+  void dropBefore(double stamp);
+
+  std::size_t size() const { return entries_.size(); }
+
+  /// [m] Mean deviation of the measured width or height, whichever varies more.
+  double sizeDeviation() const;
+
+  /// The track of a reference point, at most `count` poses and more than half as many if there are, evenly spaced, the first
+  /// and the last among them. With another pose they stay the same but for the last, until their spacing doubles. Sizes are
+  /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
+  PoseSequence track(ReferencePoint point, std::size_t count) const;
+
+  /// The same in runs of poses that follow one another at once. Runs are spread evenly over the time and the front's way; the
+  /// newest pose is among them.
+  PoseSequence runs(ReferencePoint point, std::size_t count) const;
+
+  /// The poses after `stamp`.
+  PoseSequence since(ReferencePoint point, double stamp) const;
+
+  /// The point itself and, where there are orientations, the front's corners as seen from it: of a rectangle of this size,
+  /// or of a marker whose turns count as much as a sigma of its place.
+  std::vector<Eigen::Vector3d> outline(ReferencePoint point, double width, double height) const;
+
+ private:
+  struct Entry {
+    double stamp;
+    Eigen::Isometry3d center;
+    double width, height;
+    float edge_support;
+    bool weighted;
+    Eigen::Matrix3d position_weight, orientation_weight;
+    double way = 0;  ///< [m] that the centre went from the first pose to here, in steps of sigma_position or more
+  };
+
+  std::optional<std::size_t> firstNew(const Track& track) const;
+  void leaveOutWhatIsNotIn(const Track& track);
+  void measureWay(std::size_t from);
+  std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
+  PoseSequence picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
+  void append(const TrackedObservation& observation, std::vector<Entry>* entries) const;
+
+  ArticulationConfig config_;
+  std::vector<Entry> entries_;
+  Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero();
+  bool weighted_ = false;
+  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();  ///< [m] width and height, estimated over the track
+  // What of the track was taken over.
+  std::uint32_t revision_ = 0;
+  std::size_t observations_ = 0;
+  double first_stamp_ = 0, last_stamp_ = 0;
+  double not_before_ = -std::numeric_limits<double>::infinity();  ///< [s]
+};
+
+}  // namespace cabinet_articulation::core

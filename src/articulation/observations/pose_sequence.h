@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <vector>
+
+#include "articulation/paths/hinge_prior.h"
+
+namespace cabinet_articulation::core {
+
+/// A pose track as the learner sees it: poses of one reference point of the front.
+struct PoseSequence {
+  std::vector<double> stamps;  ///< [s] ascending
+  std::vector<Eigen::Isometry3d> poses;
+  bool has_orientation = true;  ///< false: positions only (logs of three columns)
+  /// How much of a deviation counts, per pose: symmetric matrices in the track's frame with eigenvalues from 0 (that
+  /// direction was not observed) to 1, for orientations also more (better observed than sigma_orientation says). Empty:
+  /// everything was observed. Ignored without orientation.
+  std::vector<Eigen::Matrix3d> position_weights;
+  std::vector<Eigen::Matrix3d> orientation_weights;
+  HingePrior hinge;                 ///< needs orientations
+  std::vector<float> edge_support;  ///< share of the edges seen, per pose; not a number: not known
+  /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.
+  std::vector<Eigen::Vector3d> outline{Eigen::Vector3d::Zero()};
+
+  /// 1: the pose does not follow the one before at once. Empty: all do but the first.
+  std::vector<char> run_starts;
+
+  bool startsRun(std::size_t i) const { return i == 0 || (!run_starts.empty() && run_starts[i]); }
+  std::size_t size() const { return poses.size(); }
+};
+
+/// The poses of these indices, which ascend. run_starts are taken over as they are.
+PoseSequence selected(const PoseSequence& track, const std::vector<std::size_t>& indices);
+
+/// A pose track laid out for the fits: orientations as unit quaternions.
+struct PoseSamples {
+  explicit PoseSamples(const PoseSequence& track);
+
+  bool has_orientation;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Quaterniond> orientations;
+  std::vector<Eigen::Matrix3d> position_weights;
+  std::vector<Eigen::Matrix3d> orientation_weights;
+  std::vector<char> run_starts;  ///< one for each pose
+  HingePrior hinge;
+
+  std::size_t size() const { return positions.size(); }
+};
+
+}  // namespace cabinet_articulation::core
