@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "articulation/models/model_registry.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
@@ -23,7 +25,7 @@ void setAxis(const Eigen::Isometry3d& closed, const Eigen::Isometry3d& open, Tru
   joint->axis_point = turn.completeOrthogonalDecomposition().solve(motion.translation());
 }
 
-bool moves(const LearnedModel& model) { return model.moved && model.type != JointType::kRigid; }
+bool moves(const LearnedModel& model) { return model.moved && modelEntry(model.type).moves; }
 
 }  // namespace
 

@@ -42,7 +42,7 @@ std::string selectedName(const LearnedModel& model) { return model.explained ? m
 
 bool isRight(const LearnedModel& model, const SourceFacts& truth) {
   if (truth.explainable) return model.explained && model.type == truth.type;
-  return !model.explained || model.type > JointType::kRotational;
+  return !model.explained || !modelEntry(model.type).is_parametric;
 }
 
 std::vector<ReferencePose> thinnedReference(const TrackSource& source, std::size_t count) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "articulation/models/model_registry.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
@@ -38,7 +40,7 @@ double minimize(const Cost& cost, double from, double to, int steps) {
 /// serves every type of joint.
 Rectangle bestPrediction(const LearnedModel& model, const Rectangle& seen, bool with_orientation) {
   const auto predict = [&](double q) { return Rectangle{model.predict(q), seen.width, seen.height}; };
-  if (model.type == JointType::kRigid) return predict(0);
+  if (!modelEntry(model.type).moves) return predict(0);
   const double span = std::max(model.q_max - model.q_min, 1e-6);
   const auto offset = [&](double q) { return (model.predict(q).translation() - seen.center()).norm() / kSigmaPosition; };
   const double q = minimize(offset, model.q_min - kBeyond * span, model.q_max + kBeyond * span, kSteps);

@@ -18,7 +18,7 @@ bool isJoint(const LearnedModel& model) { return wasJoint(model) && !isGivenUp(m
 
 bool isGivenUp(const LearnedModel& model) { return model.doubt >= 1; }
 
-bool wasJoint(const LearnedModel& model) { return model.moved && model.explained && model.type != JointType::kRigid; }
+bool wasJoint(const LearnedModel& model) { return model.moved && model.explained && modelEntry(model.type).moves; }
 
 void requireJoint(const LearnedModel& model) {
   if (wasJoint(model) && isGivenUp(model))
@@ -31,7 +31,7 @@ void requireJoint(const LearnedModel& model) {
 }
 
 Eigen::Isometry3d jointBase(const LearnedModel& model) {
-  const bool turns = modelEntry(model.type).unit == ConfigurationUnit::kRadian;
+  const bool turns = modelEntry(model.type).turns;
   const Eigen::Vector3d z = model.axis.normalized();
   // x towards the front (where it turns) or along its width, as far as that is perpendicular to the axis.
   Eigen::Vector3d x = model.origin.linear().col(0);

@@ -4,35 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
+#include "geometry/cross_matrix.h"
 
 namespace cabinet_articulation::core {
 namespace {
-
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-/// How the pose at q changes with the six quantities of LearnedModel::covariance: rows position and rotation vector.
-Matrix6d axisJacobian(const LearnedModel& model, double q) {
-  Matrix6d J = Matrix6d::Identity();
-  if (model.type == JointType::kPrismatic) {
-    J.topRightCorner<3, 3>() = -q * crossMatrix(model.axis);
-    J.bottomRightCorner<3, 3>().setZero();
-  } else if (model.type == JointType::kRotational) {
-    // The front is known best in the middle of what was seen; from there it turns by `turn` about the uncertain axis.
-    const double middle = (model.q_min + model.q_max) / 2;
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(q - middle, model.axis).toRotationMatrix();
-    const Eigen::Vector3d arm = model.predict(middle).translation() - model.axis_point;
-    const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - turn;
-    J.topLeftCorner<3, 3>() = rest;
-    J.topRightCorner<3, 3>() = turn * crossMatrix(arm) - crossMatrix(turn * arm);
-    J.bottomRightCorner<3, 3>() = rest;
-  }
-  return J;
-}
 
 /// Of one observation, from the mean length of the residuals: sqrt(8 / pi) times one direction's sigma.
 Matrix6d observationCovariance(const LearnedModel& model) {
@@ -47,7 +24,7 @@ Matrix6d observationCovariance(const LearnedModel& model) {
 UncertainPose predictWithCovariance(const LearnedModel& model, double q) {
   requireJoint(model);
   requireWithin("q", q, limits::kConfiguration);
-  const Matrix6d J = axisJacobian(model, q);
+  const Matrix6d J = modelEntry(model.type).jacobian(model, q);
   return {model.predict(q), J * model.covariance * J.transpose() + observationCovariance(model)};
 }
 

@@ -95,7 +95,7 @@ class Description {
     connect(name + "_mount", frame_, name + "_base", T_frame_base);
     connect(name + "_panel", name + "_leaf", name + "_front", T_frame_base.inverse() * model.origin);
     const urdf::JointSharedPtr joint = connect(name + "_joint", name + "_base", name + "_leaf", Eigen::Isometry3d::Identity());
-    const bool turns = modelEntry(model.type).unit == ConfigurationUnit::kRadian;
+    const bool turns = modelEntry(model.type).urdf == UrdfJoint::kRevolute;
     joint->type = turns ? urdf::Joint::REVOLUTE : urdf::Joint::PRISMATIC;
     joint->axis = {0, 0, 1};
     joint->limits = std::make_shared<urdf::JointLimits>();
@@ -157,9 +157,7 @@ class Description {
 
 }  // namespace
 
-bool hasUrdf(const LearnedModel& model) {
-  return isJoint(model) && (model.type == JointType::kPrismatic || model.type == JointType::kRotational);
-}
+bool hasUrdf(const LearnedModel& model) { return isJoint(model) && modelEntry(model.type).urdf != UrdfJoint::kNone; }
 
 std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& frame, const std::string& prefix) {
   Description description(frame, prefix);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/model_drawing.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/joints/joint.h"
@@ -16,17 +14,17 @@ namespace {
 constexpr int kSweepSteps = 8;
 constexpr int kWaySteps = 16;
 
-/// By type; further types share the last.
-constexpr Color kColors[] = {{0.7F, 0.7F, 0.7F}, {0.2F, 0.6F, 1.0F}, {0.3F, 0.9F, 0.3F}, {0.8F, 0.4F, 1.0F}};
-
-bool turns(const core::LearnedModel& model) { return core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian; }
+bool countsRadians(const core::LearnedModel& model) {
+  return core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian;
+}
 
 }  // namespace
 
 Color colorOf(const core::LearnedModel& model) {
   if (!model.moved) return {0.7F, 0.7F, 0.7F};
   if (!isJoint(model)) return {1.0F, 0.6F, 0.1F};
-  return kColors[std::min(static_cast<size_t>(model.type), std::size(kColors) - 1)];
+  const std::array<float, 3>& color = core::modelEntry(model.type).color;
+  return {color[0], color[1], color[2]};
 }
 
 std::string labelOf(const core::LearnedModel& model) {
@@ -36,11 +34,12 @@ std::string labelOf(const core::LearnedModel& model) {
   } else if (!isJoint(model)) {
     std::snprintf(text, sizeof(text), "%u moved, no joint fits", model.id);
   } else {
-    const double scale = turns(model) ? core::toDegrees(1) : 100;
+    const double scale = countsRadians(model) ? core::toDegrees(1) : 100;
     const auto index = static_cast<size_t>(model.type);
     const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
     std::snprintf(text, sizeof(text), "%u %s %.0f %%, %.0f %s (%.0f to %.0f)", model.id, core::modelName(model.type),
-                  100 * probability, scale * model.q, turns(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
+                  100 * probability, scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min,
+                  scale * model.q_max);
   }
   return text;
 }
@@ -48,7 +47,8 @@ std::string labelOf(const core::LearnedModel& model) {
 core::Rectangle frontAt(const core::LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
 
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model) {
-  if (!turns(model)) return {model.predict(model.q_min).translation(), model.predict(model.q_max).translation()};
+  if (!core::modelEntry(model.type).turns)
+    return {model.predict(model.q_min).translation(), model.predict(model.q_max).translation()};
   // As long as the front is along the hinge.
   const Eigen::Vector3d in_front = model.origin.linear().transpose() * model.axis;
   const double half = (std::abs(in_front.x()) * model.width + std::abs(in_front.y()) * model.height) / 2;

@@ -68,7 +68,7 @@ double farRadius(const LearnedModel& model) {
 }
 
 void printModel(const std::string& file, const LearnedModel& model, double milliseconds) {
-  const bool is_joint = model.explained && model.type != JointType::kNonparametric;
+  const bool is_joint = model.explained && modelEntry(model.type).is_parametric;
   const char* type = is_joint ? modelName(model.type) : "other";
   std::string radius;
   if (is_joint && model.radius > 0) radius = std::to_string(farRadius(model));

@@ -26,12 +26,12 @@ std::string modelText(const core::LearnedModel& model) {
   std::string text = format("object %u: %s, %.3f x %.3f m, %d observations\n  probabilities", model.id,
                             model.explained ? entry.name : "none of these", model.width, model.height, model.observations);
   for (const double probability : model.probabilities) text += format(" %.3f", probability);
-  if (model.type != core::JointType::kRigid) text += "\n  axis " + vectorText(model.axis);
-  if (entry.unit == core::ConfigurationUnit::kRadian)
+  if (entry.moves) text += "\n  axis " + vectorText(model.axis);
+  if (entry.turns)
     text += " through " + vectorText(model.axis_point) +
             format(", radius %.3f m, opening %.1f to %.1f deg", model.radius, core::toDegrees(model.q_min),
                    core::toDegrees(model.q_max));
-  else if (model.type != core::JointType::kRigid)
+  else if (entry.moves)
     text += format(", opening %.3f to %.3f m", model.q_min, model.q_max);
   return text + format("\n  residuals %.1f mm, %.2f deg\n", 1e3 * model.position_error, core::toDegrees(model.orientation_error));
 }

@@ -14,7 +14,6 @@ class ArcModel : public ArticulationModel {
  public:
   ArcModel(const ArticulationConfig& config, PathShape shape) : ArticulationModel(config), shape_(shape) {}
 
-  bool moves() const override { return true; }
   bool fit(const PoseSequence& track) override;
   bool refit(const PoseSequence& track) override;
   void moveReference(const Eigen::Vector3d& offset) override;

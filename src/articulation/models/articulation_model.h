@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "articulation/models/configuration_unit.h"
+#include "articulation/models/joint_traits.h"
 #include "articulation/observations/pose_sequence.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/articulation/learned_model.h"
@@ -47,14 +47,10 @@ class ArticulationModel {
   explicit ArticulationModel(const ArticulationConfig& config) : config_(config) {}
   virtual ~ArticulationModel() = default;
 
-  virtual JointType type() const = 0;
-
-  /// Whether there is a latent configuration q.
-  virtual bool moves() const = 0;
-
-  /// Whether its shape is that of one kind of joint. One that is not follows anything, and is asked only when no joint
-  /// explains a motion.
-  virtual bool isParametric() const { return true; }
+  virtual const JointTraits& traits() const = 0;
+  JointType type() const { return traits().type; }
+  bool moves() const { return traits().moves; }
+  bool isParametric() const { return traits().is_parametric; }
 
   /// Number of parameters, for the penalty of Eq. (11).
   virtual int complexity(bool with_orientation) const = 0;

@@ -15,8 +15,7 @@ class KnownJoint : public ArticulationModel {
   KnownJoint(const LearnedModel& joint, const Eigen::Vector3d& reference, const ArticulationConfig& config)
       : ArticulationModel(config), joint_(joint), reference_(reference) {}
 
-  JointType type() const override { return joint_.type; }
-  bool moves() const override { return true; }
+  const JointTraits& traits() const override { return modelEntry(joint_.type); }
   int complexity(bool) const override { return 0; }
   bool fit(const PoseSequence&) override { return false; }
   Eigen::Isometry3d predict(double q) const override { return joint_.predict(q) * Eigen::Translation3d(reference_); }

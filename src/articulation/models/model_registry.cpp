@@ -10,21 +10,21 @@ namespace cabinet_articulation::core {
 namespace {
 
 template <class Model>
-ModelEntry entry(const char* name, bool ArticulationConfig::*enabled) {
+ModelEntry entry(bool ArticulationConfig::*enabled) {
   const auto create = [](const ArticulationConfig& config) -> std::unique_ptr<ArticulationModel> {
     return std::make_unique<Model>(config);
   };
-  return {Model::kType, name, enabled, create, Model::kUnit, Model::predictLearned, Model::configurationOfLearned};
+  return {{Model::kTraits}, enabled, create, Model::predictLearned, Model::configurationOfLearned, Model::jacobianOfLearned};
 }
 
 }  // namespace
 
 const std::vector<ModelEntry>& modelRegistry() {
   static const std::vector<ModelEntry> registry{
-      entry<RigidModel>("rigid", &ArticulationConfig::rigid),
-      entry<PrismaticModel>("prismatic", &ArticulationConfig::prismatic),
-      entry<RotationalModel>("rotational", &ArticulationConfig::rotational),
-      entry<NonparametricModel>("nonparametric", &ArticulationConfig::nonparametric),
+      entry<RigidModel>(&ArticulationConfig::rigid),
+      entry<PrismaticModel>(&ArticulationConfig::prismatic),
+      entry<RotationalModel>(&ArticulationConfig::rotational),
+      entry<NonparametricModel>(&ArticulationConfig::nonparametric),
   };
   return registry;
 }

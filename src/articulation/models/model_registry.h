@@ -5,21 +5,19 @@
 #include <vector>
 
 #include "articulation/models/articulation_model.h"
-#include "articulation/models/configuration_unit.h"
 #include "cabinet_articulation/articulation/learned_model.h"
 
 namespace cabinet_articulation::core {
 
 /// One kind of joint that can be learned.
-struct ModelEntry {
-  JointType type;
-  const char* name;                   ///< as in the original release, where there is one
+struct ModelEntry : JointTraits {
   bool ArticulationConfig::*enabled;  ///< the setting that makes it a candidate
   std::unique_ptr<ArticulationModel> (*create)(const ArticulationConfig& config);
-  ConfigurationUnit unit;
   /// LearnedModel::predict() and configuration().
   Eigen::Isometry3d (*predict)(const LearnedModel& model, double q);
   double (*configuration)(const LearnedModel& model, const Eigen::Isometry3d& front);
+  /// How the pose at q changes with the six quantities of LearnedModel::covariance: rows position and rotation vector.
+  Matrix6d (*jacobian)(const LearnedModel& model, double q);
 };
 
 /// All kinds, the simplest first; an entry's index is the value of its type.

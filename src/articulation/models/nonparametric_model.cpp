@@ -10,7 +10,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-
 constexpr int kCurvePoses = 33;
 
 constexpr double kShortestWay = 1e-6;  ///< [m] ours: fits begin at thousands of it
@@ -121,5 +120,7 @@ double NonparametricModel::configurationOfLearned(const LearnedModel& model, con
   if (!hasWay(model)) return 0;
   return PoseCurve(model.curve, model.q_min, model.q_max).nearest(front, kMetresPerRadian);
 }
+
+Matrix6d NonparametricModel::jacobianOfLearned(const LearnedModel&, double) { return Matrix6d::Identity(); }
 
 }  // namespace cabinet_articulation::core

@@ -7,7 +7,6 @@
 
 #include "articulation/fitting/curve_fit.h"
 #include "articulation/models/articulation_model.h"
-#include "articulation/models/configuration_unit.h"
 #include "articulation/paths/pose_curve.h"
 
 namespace cabinet_articulation::core {
@@ -16,17 +15,16 @@ namespace cabinet_articulation::core {
 /// observed point.
 class NonparametricModel : public ArticulationModel {
  public:
-  static constexpr JointType kType = JointType::kNonparametric;
-  static constexpr ConfigurationUnit kUnit = ConfigurationUnit::kMetre;
+  static constexpr JointTraits kTraits{JointType::kNonparametric, "nonparametric", ConfigurationUnit::kMetre, /*moves*/ true,
+                                       /*is_parametric*/ false,   /*turns*/ false, UrdfJoint::kNone,          {0.8F, 0.4F, 1.0F}};
   static constexpr std::size_t kLeastPoses = 8;  ///< fewer are not fitted
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
+  static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
 
   using ArticulationModel::ArticulationModel;
 
-  JointType type() const override { return kType; }
-  bool moves() const override { return true; }
-  bool isParametric() const override { return false; }
+  const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override;
   bool fit(const PoseSequence& track) override;
   bool refit(const PoseSequence& track) override;

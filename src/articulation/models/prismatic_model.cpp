@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/models/prismatic_model.h"
 
+#include "geometry/cross_matrix.h"
+
 namespace cabinet_articulation::core {
 
 JointGeometry PrismaticModel::geometry() const { return {arc_.tangent(), Eigen::Vector3d::Zero(), 0}; }
@@ -34,6 +36,13 @@ Eigen::Isometry3d PrismaticModel::predictLearned(const LearnedModel& model, doub
 
 double PrismaticModel::configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front) {
   return model.axis.dot(front.translation() - model.origin.translation());
+}
+
+Matrix6d PrismaticModel::jacobianOfLearned(const LearnedModel& model, double q) {
+  Matrix6d J = Matrix6d::Identity();
+  J.topRightCorner<3, 3>() = -q * crossMatrix(model.axis);
+  J.bottomRightCorner<3, 3>().setZero();
+  return J;
 }
 
 }  // namespace cabinet_articulation::core

@@ -8,14 +8,15 @@ namespace cabinet_articulation::core {
 /// The front slides along a line.
 class PrismaticModel : public ArcModel {
  public:
-  static constexpr JointType kType = JointType::kPrismatic;
-  static constexpr ConfigurationUnit kUnit = ConfigurationUnit::kMetre;
+  static constexpr JointTraits kTraits{JointType::kPrismatic,  "prismatic",     ConfigurationUnit::kMetre, /*moves*/ true,
+                                       /*is_parametric*/ true, /*turns*/ false, UrdfJoint::kPrismatic,     {0.2F, 0.6F, 1.0F}};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
+  static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
 
   explicit PrismaticModel(const ArticulationConfig& config) : ArcModel(config, PathShape::kLine) {}
 
-  JointType type() const override { return kType; }
+  const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override { return with_orientation ? 7 : 4; }
   JointGeometry geometry() const override;
   Matrix6d covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const override;

@@ -83,4 +83,6 @@ Eigen::Isometry3d RigidModel::predictLearned(const LearnedModel& model, double) 
 
 double RigidModel::configurationOfLearned(const LearnedModel&, const Eigen::Isometry3d&) { return 0; }
 
+Matrix6d RigidModel::jacobianOfLearned(const LearnedModel&, double) { return Matrix6d::Identity(); }
+
 }  // namespace cabinet_articulation::core

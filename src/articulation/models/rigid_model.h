@@ -8,15 +8,15 @@ namespace cabinet_articulation::core {
 /// The front does not move: one pose, the robust mean of all.
 class RigidModel : public ArticulationModel {
  public:
-  static constexpr JointType kType = JointType::kRigid;
-  static constexpr ConfigurationUnit kUnit = ConfigurationUnit::kMetre;
+  static constexpr JointTraits kTraits{JointType::kRigid,      "rigid",         ConfigurationUnit::kMetre, /*moves*/ false,
+                                       /*is_parametric*/ true, /*turns*/ false, UrdfJoint::kNone,          {0.7F, 0.7F, 0.7F}};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
+  static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
 
   using ArticulationModel::ArticulationModel;
 
-  JointType type() const override { return kType; }
-  bool moves() const override { return false; }
+  const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override { return with_orientation ? 6 : 3; }
   bool fit(const PoseSequence& track) override;
   Eigen::Isometry3d predict(double) const override { return pose_; }

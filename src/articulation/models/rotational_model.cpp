@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "geometry/cross_matrix.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -58,6 +60,19 @@ double RotationalModel::configurationOfLearned(const LearnedModel& model, const 
   const double middle = (model.q_min + model.q_max) / 2;
   const double q = by_place + share * std::remainder(by_turn - by_place, 2 * M_PI);
   return middle + std::remainder(q - middle, 2 * M_PI);
+}
+
+Matrix6d RotationalModel::jacobianOfLearned(const LearnedModel& model, double q) {
+  // The front is known best in the middle of what was seen; from there it turns by `turn` about the uncertain axis.
+  const double middle = (model.q_min + model.q_max) / 2;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(q - middle, model.axis).toRotationMatrix();
+  const Eigen::Vector3d arm = model.predict(middle).translation() - model.axis_point;
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - turn;
+  Matrix6d J = Matrix6d::Identity();
+  J.topLeftCorner<3, 3>() = rest;
+  J.topRightCorner<3, 3>() = turn * crossMatrix(arm) - crossMatrix(turn * arm);
+  J.bottomRightCorner<3, 3>() = rest;
+  return J;
 }
 
 }  // namespace cabinet_articulation::core

@@ -8,14 +8,15 @@ namespace cabinet_articulation::core {
 /// The front turns about an axis.
 class RotationalModel : public ArcModel {
  public:
-  static constexpr JointType kType = JointType::kRotational;
-  static constexpr ConfigurationUnit kUnit = ConfigurationUnit::kRadian;
+  static constexpr JointTraits kTraits{JointType::kRotational, "rotational",   ConfigurationUnit::kRadian, /*moves*/ true,
+                                       /*is_parametric*/ true, /*turns*/ true, UrdfJoint::kRevolute,       {0.3F, 0.9F, 0.3F}};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
+  static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
 
   explicit RotationalModel(const ArticulationConfig& config) : ArcModel(config, PathShape::kCircle) {}
 
-  JointType type() const override { return kType; }
+  const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override { return with_orientation ? 9 : 6; }
   JointGeometry geometry() const override;
   Matrix6d covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const override;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "cabinet_articulation/geometry/joint_type.h"
+
+namespace cabinet_articulation::core {
+
+/// What q counts.
+enum class ConfigurationUnit : std::uint8_t { kMetre, kRadian };
+
+/// The kinds of joints that URDF has for a front.
+enum class UrdfJoint : std::uint8_t { kNone, kPrismatic, kRevolute };
+
+/// What other code may ask of a type of joint, so that it need not know which types there are.
+struct JointTraits {
+  JointType type;
+  const char* name;        ///< as in the original release, where there is one
+  ConfigurationUnit unit;  ///< of q
+  bool moves;              ///< has a latent configuration q
+  /// Its shape is that of one kind of joint. One that is not follows any smooth motion, and is asked only when no joint explains
+  /// a motion.
+  bool is_parametric;
+  bool turns;                  ///< about the axis through LearnedModel::axis_point
+  UrdfJoint urdf;              ///< kNone: URDF has no such joint
+  std::array<float, 3> color;  ///< of its markers: red, green, blue from 0 to 1
+};
+
+}  // namespace cabinet_articulation::core
