@@ -14,20 +14,15 @@ namespace {
 /// What every registered model must keep, on a track of its own kind.
 class ModelContract : public ::testing::TestWithParam<ModelEntry> {
  protected:
-  static SyntheticFront frontOf(JointType type) {
-    SyntheticFront front;
-    front.type = type;
-    if (type == JointType::kPrismatic) front.q_end = 0.35;
-    return front;
-  }
-
   std::unique_ptr<ArticulationModel> make() const { return GetParam().create(config_); }
   PoseSequence track(double noise) const {
-    SyntheticFront front = frontOf(GetParam().type);
+    const LearnedModel truth = GetParam().example();
+    SyntheticFront front;
     front.noise = noise;
     front.turn_noise = 3 * noise;
+    front.q_end = truth.q_max;
     ObservationHistory poses(config_);
-    poses.update(syntheticTrack(front));
+    poses.update(syntheticTrack(front, [&](double q) { return truth.predict(q); }));
     return poses.track({1, 0}, 1000);
   }
 

@@ -69,7 +69,9 @@ inline Eigen::Isometry3d truePose(const SyntheticFront& front, double q) {
   return Eigen::Translation3d(point) * Eigen::AngleAxisd(q, trueAxis(front)) * Eigen::Translation3d(-point) * closedPose();
 }
 
-inline Track syntheticTrack(const SyntheticFront& front) {
+/// `poseAt`: where the front is at q.
+template <class PoseAt>
+Track syntheticTrack(const SyntheticFront& front, const PoseAt& poseAt) {
   std::mt19937 random(front.seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
@@ -85,7 +87,7 @@ inline Track syntheticTrack(const SyntheticFront& front) {
     observation.stamp = 10 + i * front.period;
     observation.rectangle.width = front.width;
     observation.rectangle.height = front.height;
-    Eigen::Isometry3d pose = truePose(front, front.q_start + share * (front.q_end - front.q_start));
+    Eigen::Isometry3d pose = poseAt(front.q_start + share * (front.q_end - front.q_start));
     drift = front.drift_memory * drift + std::sqrt(1 - front.drift_memory * front.drift_memory) * front.drift * vector();
     pose.pretranslate(front.noise * vector() + drift);
     const Eigen::Vector3d turn = front.turn_noise * vector();
@@ -103,6 +105,10 @@ inline Track syntheticTrack(const SyntheticFront& front) {
     track.observations.push_back(observation);
   }
   return track;
+}
+
+inline Track syntheticTrack(const SyntheticFront& front) {
+  return syntheticTrack(front, [&](double q) { return truePose(front, q); });
 }
 
 /// The same track from a detector that says how certain it is: standard deviations of positions and orientations.

@@ -162,6 +162,17 @@ double ArticulationModel::costOfFreedom(const PoseSequence& track, const ModelRe
   return std::min(anywhere, as_seen);
 }
 
+LearnedModel closedExample(JointType type) {
+  LearnedModel model;
+  model.type = type;
+  model.moved = true;
+  model.width = 0.4;
+  model.height = 0.6;
+  model.origin.translate(Eigen::Vector3d(0.1, -0.2, 1.5));
+  model.origin.rotate(Eigen::AngleAxisd(2.9, Eigen::Vector3d(1, 0.15, 0.1).normalized()));
+  return model;
+}
+
 Matrix6d pointCovariance(double position_variance, double orientation_variance, const Eigen::Vector3d& lever) {
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();

@@ -107,6 +107,9 @@ class ArticulationModel {
   double costOfFreedom(const PoseSequence& track, const ModelResiduals& residuals) const;
 };
 
+/// Of the given type, a front of 0.4 by 0.6 m that is closed: for examples of joints.
+LearnedModel closedExample(JointType type);
+
 /// ArticulationModel.covariance of a pose whose coordinates have these variances [m^2, rad^2], for a point of the front that
 /// is `lever` away from the observed one: the orientation's error moves it, too.
 Matrix6d pointCovariance(double position_variance, double orientation_variance, const Eigen::Vector3d& lever);

@@ -14,7 +14,8 @@ ModelEntry entry(bool ArticulationConfig::*enabled) {
   const auto create = [](const ArticulationConfig& config) -> std::unique_ptr<ArticulationModel> {
     return std::make_unique<Model>(config);
   };
-  return {{Model::kTraits}, enabled, create, Model::predictLearned, Model::configurationOfLearned, Model::jacobianOfLearned};
+  return {{Model::kTraits},         enabled,       create, Model::predictLearned, Model::configurationOfLearned,
+          Model::jacobianOfLearned, Model::example};
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct ModelEntry : JointTraits {
   double (*configuration)(const LearnedModel& model, const Eigen::Isometry3d& front);
   /// How the pose at q changes with the six quantities of LearnedModel::covariance: rows position and rotation vector.
   Matrix6d (*jacobian)(const LearnedModel& model, double q);
+  /// A typical joint of this type, closed at q = 0 and open at q_max: the truth for its contract test.
+  LearnedModel (*example)();
 };
 
 /// All kinds, the simplest first; an entry's index is the value of its type.

@@ -123,4 +123,19 @@ double NonparametricModel::configurationOfLearned(const LearnedModel& model, con
 
 Matrix6d NonparametricModel::jacobianOfLearned(const LearnedModel&, double) { return Matrix6d::Identity(); }
 
+LearnedModel NonparametricModel::example() {
+  constexpr double kTurn = 1;     // [rad]
+  constexpr double kSlide = 0.1;  // [m] of the edge that a door would turn about
+  LearnedModel folding_door = closedExample(JointType::kNonparametric);
+  const Eigen::Translation3d to_edge(-folding_door.width / 2, 0, 0);
+  for (int i = 0; i < kCurvePoses; ++i) {
+    const double share = static_cast<double>(i) / (kCurvePoses - 1);
+    const Eigen::Translation3d slid(kSlide * share, 0, 0);
+    const Eigen::AngleAxisd turned(-kTurn * share, Eigen::Vector3d::UnitY());
+    folding_door.curve.push_back(folding_door.origin * slid * to_edge * turned * to_edge.inverse());
+    if (i > 0) folding_door.q_max += (folding_door.curve[i].translation() - folding_door.curve[i - 1].translation()).norm();
+  }
+  return folding_door;
+}
+
 }  // namespace cabinet_articulation::core

@@ -21,6 +21,7 @@ class NonparametricModel : public ArticulationModel {
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
+  static LearnedModel example();
 
   using ArticulationModel::ArticulationModel;
 

@@ -45,4 +45,11 @@ Matrix6d PrismaticModel::jacobianOfLearned(const LearnedModel& model, double q) 
   return J;
 }
 
+LearnedModel PrismaticModel::example() {
+  LearnedModel drawer = closedExample(JointType::kPrismatic);
+  drawer.axis = drawer.origin.linear().col(2);
+  drawer.q_max = 0.35;
+  return drawer;
+}
+
 }  // namespace cabinet_articulation::core

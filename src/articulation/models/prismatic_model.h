@@ -13,6 +13,7 @@ class PrismaticModel : public ArcModel {
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
+  static LearnedModel example();
 
   explicit PrismaticModel(const ArticulationConfig& config) : ArcModel(config, PathShape::kLine) {}
 

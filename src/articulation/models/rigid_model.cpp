@@ -85,4 +85,6 @@ double RigidModel::configurationOfLearned(const LearnedModel&, const Eigen::Isom
 
 Matrix6d RigidModel::jacobianOfLearned(const LearnedModel&, double) { return Matrix6d::Identity(); }
 
+LearnedModel RigidModel::example() { return closedExample(JointType::kRigid); }
+
 }  // namespace cabinet_articulation::core

@@ -75,4 +75,13 @@ Matrix6d RotationalModel::jacobianOfLearned(const LearnedModel& model, double q)
   return J;
 }
 
+LearnedModel RotationalModel::example() {
+  LearnedModel door = closedExample(JointType::kRotational);
+  door.axis = -door.origin.linear().col(1);
+  door.axis_point = door.origin * Eigen::Vector3d(-door.width / 2, 0, 0);
+  door.radius = door.width / 2;
+  door.q_max = 1.2;
+  return door;
+}
+
 }  // namespace cabinet_articulation::core
