@@ -1,182 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/fitting/arc_fit.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "articulation/fitting/arc_problem.h"
-#include "articulation/fitting/noise_estimate.h"
-#include "articulation/fitting/tiny_solver.h"
+#include "articulation/fitting/arc_fitter.h"
 
 namespace cabinet_articulation::core {
 namespace {
-
-/// [nats] Fits stop when a step gains less where the curvature is held at its limit: there the model is wrong, and its last
-/// digits do not matter.
-constexpr double kHeldTolerance = 0.5;
-
-/// [nats] Differences above which the better model is clear.
-constexpr double kClear = 40;
-
-constexpr int kRounds = 25;
-constexpr double kTrustRegion = 1e4;
-constexpr int kDampings = 7;  ///< tried before a step is given up
-
-/// Everything that depends on whether there are orientations.
-template <bool kWithOrientation>
-class Fitter {
- public:
-  using Problem = ArcProblem<kWithOrientation>;
-  using Parameters = Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1>;
-
-  struct Result {
-    Arc arc;
-    double cost;
-    bool settled = true;
-  };
-
-  Fitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
-    // One step at a time: scales and correlations change with every step, and so does the base of the increments.
-    solver_.options = optionsWithoutLeastGain<ceres::TinySolver<Problem>>();
-    solver_.options.max_num_iterations = 1 + kDampings;
-    solver_.options.initial_trust_region_radius = kTrustRegion;
-    solver_.options.gradient_tolerance = 1e-9;
-  }
-
-  /// Alternates between the noise and the path. Where the curvature is free but leaves its limits twice, or in the end,
-  /// it is held at the limit: no crawling along it. `rival` is a cost from which the result need only differ clearly.
-  template <class Noise>
-  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival, double tolerance = kFineFit) {
-    const double unknown = std::numeric_limits<double>::infinity();
-    Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
-    Arc arc = start;
-    Result best{start, unknown};
-    int outside = 0;
-    int rounds = kRounds;
-    for (int round = 0; round < rounds; ++round) {
-      const double cost = costOf(arc, noise);
-      const double gain = best.cost - cost;
-      if (gain > 0) best = {arc, cost};
-      const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
-      outside += leaves;
-      const bool settled = gain < tolerance || (!leaves && rival && isClear(best.cost, gain, *rival));
-      if (!settled && outside < 2) {
-        if (step(&arc, curvature, noise->noise())) continue;
-      }
-      if (!leaves) break;
-      arc = limited(best.arc);
-      curvature = Curvature::kFixed;
-      tolerance = kHeldTolerance;
-      best = {arc, unknown};
-      outside = 0;
-      rounds = std::max(rounds, round + 2);  // its cost is found in the next one
-    }
-    return {curvature == Curvature::kFree && shape == PathShape::kCircle ? limited(best.arc) : best.arc, best.cost};
-  }
-
-  /// A few steps from where an earlier fit ended, by the same rules but for the curvature: a path that was held at the limit
-  /// stays there until it fits better inside.
-  template <class Noise>
-  Result proceed(const Arc& start, PathShape shape, int steps, Noise* noise) {
-    Curvature curvature = shape == PathShape::kLine || isHeld(start, *noise) ? Curvature::kFixed : Curvature::kFree;
-    Arc arc = start;
-    Result best{start, std::numeric_limits<double>::infinity(), false};
-    for (int i = 0;; ++i) {
-      const double cost = costOf(arc, noise);
-      best.settled = best.cost - cost < kFineFit;
-      if (cost < best.cost) best = {arc, cost, best.settled};
-      if (best.settled || i == steps) break;
-      best.settled = !step(&arc, curvature, noise->noise());
-      if (best.settled) break;
-      if (curvature == Curvature::kFixed || !isOutside(arc)) continue;
-      arc = limited(best.arc);
-      curvature = Curvature::kFixed;
-      best.cost = std::numeric_limits<double>::infinity();
-      steps = std::max(steps, i + 2);
-    }
-    if (shape == PathShape::kCircle) best.arc = limited(best.arc);
-    return best;
-  }
-
-  /// J^T J at the fit.
-  Eigen::MatrixXd information(const ArcFit& fit, Curvature curvature) {
-    ResidualNoise noise;
-    noise.degrees_of_freedom = config_.degrees_of_freedom;
-    noise.position = noise.placing_position = fit.position_scale;
-    noise.orientation = noise.placing_orientation = fit.orientation_scale;
-    const Problem problem(samples_, noise, fit.arc, curvature);
-    const Parameters zero = Parameters::Zero();
-    Eigen::Matrix<double, Problem::NUM_RESIDUALS, 1> residuals;
-    Eigen::Matrix<double, Problem::NUM_RESIDUALS, Problem::NUM_PARAMETERS> jacobian;
-    problem(zero.data(), residuals.data(), jacobian.data());
-    return jacobian.transpose() * jacobian;
-  }
-
- private:
-  /// Negative log-likelihood, with the best noise.
-  template <class Noise>
-  double costOf(const Arc& arc, Noise* noise) const {
-    const Problem problem(samples_, noise->noise(), arc, Curvature::kFixed);
-    return noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
-  }
-
-  /// Is the curvature at its limit, and would the path fit worse inside?
-  template <class Noise>
-  bool isHeld(const Arc& arc, Noise noise) const {
-    constexpr double kInside = 1.02;
-    Arc inside = arc;
-    const double size = std::abs(arc.curvature);
-    if (size == 1 / config_.radius_max) inside.curvature *= kInside;
-    if (size == 1 / config_.radius_min) inside.curvature /= kInside;
-    if (inside.curvature == arc.curvature) return false;
-    const double cost = costOf(arc, &noise);
-    return costOf(inside, &noise) >= cost;
-  }
-
-  double limitedCurvature(const Arc& arc) const {
-    return std::copysign(std::clamp(std::abs(arc.curvature), 1 / config_.radius_max, 1 / config_.radius_min), arc.curvature);
-  }
-  bool isOutside(const Arc& arc) const { return arc.curvature != limitedCurvature(arc); }
-
-  /// Slides the centre along the radial direction of the arc's middle until the radius is allowed.
-  Arc limited(Arc arc) const {
-    arc.curvature = limitedCurvature(arc);
-    return arc;
-  }
-
-  static bool isClear(double cost, double gain, double rival) {
-    const bool won = cost < rival - kClear;
-    const bool lost = cost - rival > kClear && 10 * gain < cost - rival;
-    return won || lost;
-  }
-
-  /// A damped Gauss-Newton step. False: none that improves was found.
-  bool step(Arc* arc, Curvature curvature, const ResidualNoise& noise) {
-    const Problem problem(samples_, noise, *arc, curvature);
-    Parameters x = Parameters::Zero();
-    solver_.Solve(problem, &x);
-    *arc = problem.arc(x.data());
-    return !x.isZero(0);
-  }
-
-  const PoseSamples& samples_;
-  const ArticulationConfig& config_;
-  ceres::TinySolver<Problem> solver_;
-};
 
 template <bool kWithOrientation>
 ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, double tolerance,
                const ArticulationConfig& config) {
   IndependentNoise noise(config);
-  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt, tolerance);
+  const auto result = ArcFitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt, tolerance);
   return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
 }
 
 template <bool kWithOrientation>
 ArcFit continued(const PoseSamples& samples, PathShape shape, const ArcFit& last, int steps, const ArticulationConfig& config) {
   IndependentNoise noise(config, last.position_scale, last.orientation_scale);
-  const auto result = Fitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
+  const auto result = ArcFitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
   return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
 }
 
@@ -193,7 +34,7 @@ SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcF
                          std::optional<double> rival, const ArticulationConfig& config) {
   SequenceNoise noise(samples, config, fit.position_scale, fit.orientation_scale);
   if (rival) rival = -*rival;
-  const auto result = Fitter<kWithOrientation>(samples, config).refine(start, shape, &noise, rival);
+  const auto result = ArcFitter<kWithOrientation>(samples, config).refine(start, shape, &noise, rival);
   return {result.arc, -result.cost, noise.noise()};
 }
 
@@ -201,14 +42,14 @@ template <bool kWithOrientation>
 SequenceFit sequenceContinued(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& last, int steps,
                               const ArticulationConfig& config) {
   SequenceNoise noise(samples, last.noise, fit.position_scale, fit.orientation_scale);
-  const auto result = Fitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
+  const auto result = ArcFitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
   return {result.arc, -result.cost, noise.noise(), steps > 0 ? result.settled : last.settled};
 }
 
 template <bool kWithOrientation>
 Eigen::MatrixXd covarianceOf(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config) {
   const Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
-  const Eigen::MatrixXd information = Fitter<kWithOrientation>(samples, config).information(fit, curvature);
+  const Eigen::MatrixXd information = ArcFitter<kWithOrientation>(samples, config).information(fit, curvature);
   // A line does not know its own frame's rotation about itself: the pseudo-inverse gives such directions no variance.
   return information.completeOrthogonalDecomposition().pseudoInverse();
 }

@@ -10,9 +10,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// [nats] Differences in likelihood above which no other local optimum will turn the answer (measured: 24 was turned).
-constexpr double kClear = 40;
-
 /// Poses times steps of a refit.
 constexpr int kRefitWork = 160;
 
@@ -150,7 +147,7 @@ double ArcModel::sequenceLogLikelihood(const PoseSequence& track, std::optional<
   sequence_ = fitArcSequence(samples, shape_, fit_, arc_, rival, config_);
   others_.clear();
   // Circles have local optima: where it matters, they are looked for from everywhere.
-  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
+  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClearDifference;
   if (shape_ == PathShape::kLine || !close) return sequence_->log_likelihood;
   searched_at_ = samples.size();
   for (const Arc& start : typicalCircles(samples, arc_)) {
@@ -168,7 +165,7 @@ SequenceProgress ArcModel::advanceSequence(const PoseSequence& track, int steps,
   sequence_ = continueArcSequence(samples, shape_, fit_, *sequence_, tries_other ? 0 : steps, config_);
   if (steps == 0) startFromFitIfBetter(samples);
   if (tries_other) tryOtherStart(samples, steps);
-  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClear;
+  const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClearDifference;
   if (shape_ == PathShape::kLine || !close)
     others_.clear();
   else if (sequence_->settled && others_.empty() && isMuchMore(samples.size(), searched_at_)) {

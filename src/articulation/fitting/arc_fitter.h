@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "articulation/fitting/arc_fit.h"
+#include "articulation/fitting/arc_problem.h"
+#include "articulation/fitting/noise_estimate.h"
+#include "articulation/fitting/tiny_solver.h"
+
+namespace cabinet_articulation::core {
+
+/// [nats] Fits stop when a step gains less where the curvature is held at its limit: there the model is wrong, and its last
+/// digits do not matter.
+constexpr double kHeldTolerance = 0.5;
+
+constexpr int kRounds = 25;
+constexpr double kTrustRegion = 1e4;
+constexpr int kDampings = 7;  ///< tried before a step is given up
+
+/// Steps of an arc and of its noise in turn; what of arc_fit.h depends on whether there are orientations.
+template <bool kWithOrientation>
+class ArcFitter {
+ public:
+  using Problem = ArcProblem<kWithOrientation>;
+  using Parameters = Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1>;
+
+  struct Result {
+    Arc arc;
+    double cost;
+    bool settled = true;
+  };
+
+  ArcFitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
+    // One step at a time: scales and correlations change with every step, and so does the base of the increments.
+    solver_.options = optionsWithoutLeastGain<ceres::TinySolver<Problem>>();
+    solver_.options.max_num_iterations = 1 + kDampings;
+    solver_.options.initial_trust_region_radius = kTrustRegion;
+    solver_.options.gradient_tolerance = 1e-9;
+  }
+
+  /// Alternates between the noise and the path. Where the curvature is free but leaves its limits twice, or in the end,
+  /// it is held at the limit: no crawling along it. `rival` is a cost from which the result need only differ clearly.
+  template <class Noise>
+  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival, double tolerance = kFineFit) {
+    const double unknown = std::numeric_limits<double>::infinity();
+    Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
+    Arc arc = start;
+    Result best{start, unknown};
+    int outside = 0;
+    int rounds = kRounds;
+    for (int round = 0; round < rounds; ++round) {
+      const double cost = costOf(arc, noise);
+      const double gain = best.cost - cost;
+      if (gain > 0) best = {arc, cost};
+      const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
+      outside += leaves;
+      const bool settled = gain < tolerance || (!leaves && rival && isClear(best.cost, gain, *rival));
+      if (!settled && outside < 2) {
+        if (step(&arc, curvature, noise->noise())) continue;
+      }
+      if (!leaves) break;
+      arc = limited(best.arc);
+      curvature = Curvature::kFixed;
+      tolerance = kHeldTolerance;
+      best = {arc, unknown};
+      outside = 0;
+      rounds = std::max(rounds, round + 2);  // its cost is found in the next one
+    }
+    return {curvature == Curvature::kFree && shape == PathShape::kCircle ? limited(best.arc) : best.arc, best.cost};
+  }
+
+  /// A few steps from where an earlier fit ended, by the same rules but for the curvature: a path that was held at the limit
+  /// stays there until it fits better inside.
+  template <class Noise>
+  Result proceed(const Arc& start, PathShape shape, int steps, Noise* noise) {
+    Curvature curvature = shape == PathShape::kLine || isHeld(start, *noise) ? Curvature::kFixed : Curvature::kFree;
+    Arc arc = start;
+    Result best{start, std::numeric_limits<double>::infinity(), false};
+    for (int i = 0;; ++i) {
+      const double cost = costOf(arc, noise);
+      best.settled = best.cost - cost < kFineFit;
+      if (cost < best.cost) best = {arc, cost, best.settled};
+      if (best.settled || i == steps) break;
+      best.settled = !step(&arc, curvature, noise->noise());
+      if (best.settled) break;
+      if (curvature == Curvature::kFixed || !isOutside(arc)) continue;
+      arc = limited(best.arc);
+      curvature = Curvature::kFixed;
+      best.cost = std::numeric_limits<double>::infinity();
+      steps = std::max(steps, i + 2);
+    }
+    if (shape == PathShape::kCircle) best.arc = limited(best.arc);
+    return best;
+  }
+
+  /// J^T J at the fit.
+  Eigen::MatrixXd information(const ArcFit& fit, Curvature curvature) {
+    ResidualNoise noise;
+    noise.degrees_of_freedom = config_.degrees_of_freedom;
+    noise.position = noise.placing_position = fit.position_scale;
+    noise.orientation = noise.placing_orientation = fit.orientation_scale;
+    const Problem problem(samples_, noise, fit.arc, curvature);
+    const Parameters zero = Parameters::Zero();
+    Eigen::Matrix<double, Problem::NUM_RESIDUALS, 1> residuals;
+    Eigen::Matrix<double, Problem::NUM_RESIDUALS, Problem::NUM_PARAMETERS> jacobian;
+    problem(zero.data(), residuals.data(), jacobian.data());
+    return jacobian.transpose() * jacobian;
+  }
+
+ private:
+  /// Negative log-likelihood, with the best noise.
+  template <class Noise>
+  double costOf(const Arc& arc, Noise* noise) const {
+    const Problem problem(samples_, noise->noise(), arc, Curvature::kFixed);
+    return noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
+  }
+
+  /// Is the curvature at its limit, and would the path fit worse inside?
+  template <class Noise>
+  bool isHeld(const Arc& arc, Noise noise) const {
+    constexpr double kInside = 1.02;
+    Arc inside = arc;
+    const double size = std::abs(arc.curvature);
+    if (size == 1 / config_.radius_max) inside.curvature *= kInside;
+    if (size == 1 / config_.radius_min) inside.curvature /= kInside;
+    if (inside.curvature == arc.curvature) return false;
+    const double cost = costOf(arc, &noise);
+    return costOf(inside, &noise) >= cost;
+  }
+
+  double limitedCurvature(const Arc& arc) const {
+    return std::copysign(std::clamp(std::abs(arc.curvature), 1 / config_.radius_max, 1 / config_.radius_min), arc.curvature);
+  }
+  bool isOutside(const Arc& arc) const { return arc.curvature != limitedCurvature(arc); }
+
+  /// Slides the centre along the radial direction of the arc's middle until the radius is allowed.
+  Arc limited(Arc arc) const {
+    arc.curvature = limitedCurvature(arc);
+    return arc;
+  }
+
+  static bool isClear(double cost, double gain, double rival) {
+    const bool won = cost < rival - kClearDifference;
+    const bool lost = cost - rival > kClearDifference && 10 * gain < cost - rival;
+    return won || lost;
+  }
+
+  /// A damped Gauss-Newton step. False: none that improves was found.
+  bool step(Arc* arc, Curvature curvature, const ResidualNoise& noise) {
+    const Problem problem(samples_, noise, *arc, curvature);
+    Parameters x = Parameters::Zero();
+    solver_.Solve(problem, &x);
+    *arc = problem.arc(x.data());
+    return !x.isZero(0);
+  }
+
+  const PoseSamples& samples_;
+  const ArticulationConfig& config_;
+  ceres::TinySolver<Problem> solver_;
+};
+
+}  // namespace cabinet_articulation::core
