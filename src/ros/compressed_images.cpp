@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "cabinet_articulation/geometry/limits.h"
+#include "ros/image_limits.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -70,9 +70,7 @@ cv::Mat decode(const std::uint8_t* data, size_t size, const sensor_msgs::Compres
   const Size declared = declaredSize(data, size);
   if (declared.width > 0 && declared.height > 0) {
     try {
-      core::requireWithin("width", declared.width, core::limits::kImageSide);
-      core::requireWithin("height", declared.height, core::limits::kImageSide);
-      core::requireWithin("width * height", static_cast<double>(declared.width) * declared.height, core::limits::kImageArea);
+      requireImageArea(declared.width, declared.height);
       image = cv::imdecode(cv::Mat(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(data)), cv::IMREAD_UNCHANGED);
     } catch (const cv::Exception& error) {
       fail(topic, "cannot be decoded: " + error.err);

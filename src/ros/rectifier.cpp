@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cabinet_articulation/geometry/limits.h"
+#include "ros/image_limits.h"
 
 namespace cabinet_articulation {
 
@@ -13,9 +13,7 @@ cv::Mat Rectifier::operator()(const cv::Mat& image, const sensor_msgs::CameraInf
   sensor_msgs::CameraInfo calibration = info;
   if (calibration.distortion_model.empty()) calibration.distortion_model = "plumb_bob";
   // image_geometry makes maps for the full sensor, of which the image may show a small region.
-  core::requireWithin("width", info.width, core::limits::kImageSide);
-  core::requireWithin("height", info.height, core::limits::kImageSide);
-  core::requireWithin("width * height", static_cast<double>(info.width) * info.height, core::limits::kImageArea);
+  requireImageArea(info.width, info.height);
   cv::Mat rectified;
   try {
     model_.fromCameraInfo(calibration);

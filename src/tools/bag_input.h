@@ -24,10 +24,9 @@ struct BagInput {
   bool rectified = false;  ///< stereo: the images are rectified already
 };
 
-/// The input of a bag. Topics that are named are taken; the kind is the one they belong to. What is not named is looked for under
-/// the default names below `camera` (/stereo if that is empty; then as stereo, if the kind is not given), and where these are not
-/// complete, by type among all topics below `camera`, or of the bag if that is empty. An image may be compressed; then it is
-/// known by the name of the image or by its own. Throws std::invalid_argument for options that contradict each other, and
+/// The input of a bag. Topics that are named are taken; the kind is the one they belong to. All others are looked for under the
+/// default names below `camera`, or below /stereo if that is empty. The kind is stereo there unless it is given. Where these
+/// are not complete, topics are found by type below `camera`, or in the whole bag. An image may be compressed; then it is known by the name of the image or by its own. Throws std::invalid_argument for options that contradict each other, and
 /// std::runtime_error that says which topics are missing or which inputs fit, and which topics there are.
 BagInput chooseInput(const rosbag::Bag& bag, const InputOptions& options);
 

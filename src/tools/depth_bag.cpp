@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
+#include "ros/simulation_conversions.h"
 #include "stereo/whole_millimetres.h"
 #include "tools/bag_tool_options.h"
 #include "tools/progress.h"
@@ -24,19 +25,6 @@ core::StereoConfig loadConfig(const std::string& directory) {
   const core::PipelineConfig config = core::PipelineConfig::load(directory, &warnings);
   for (const std::string& warning : warnings) std::fprintf(stderr, "depth_bag: %s\n", warning.c_str());
   return config.stereo;
-}
-
-sensor_msgs::CameraInfo infoOf(const core::StereoCamera& camera, const std_msgs::Header& header) {
-  sensor_msgs::CameraInfo info;
-  info.header = header;
-  info.width = static_cast<std::uint32_t>(camera.width);
-  info.height = static_cast<std::uint32_t>(camera.height);
-  info.distortion_model = "plumb_bob";
-  info.D.assign(5, 0);
-  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
-  return info;
 }
 
 void copyTransforms(const rosbag::Bag& from, rosbag::Bag* to) {
@@ -60,7 +48,7 @@ int run(const BagToolOptions& options) {
     const core::DepthFrame& frame = views.frame;
     const cv::Mat1w depth =
         core::wholeMillimetres(frame.disparity.empty() ? matcher.process(frame.left, frame.right, frame.camera) : frame);
-    output.write("/camera/depth/camera_info", header.stamp, infoOf(frame.camera, header));
+    output.write("/camera/depth/camera_info", header.stamp, toLeftCameraInfo(frame.camera, header));
     output.write("/camera/depth/image_raw", header.stamp, cv_bridge::CvImage(header, "16UC1", depth).toImageMsg());
     ++frames;
     progress.show(input.framesRead());
