@@ -31,8 +31,8 @@ debian_packages=(
   libvisualization-msgs-dev libstereo-msgs-dev libsensor-msgs-dev libgeometry-msgs-dev libstd-msgs-dev libdiagnostic-msgs-dev
   # libraries; TinyXML or TinyXML-2 comes with urdfdom, which hands out its documents
   libpcl-dev libopencv-dev libeigen3-dev libceres-dev libyaml-cpp-dev liburdfdom-dev
-  # benchmarks, and the figures of the evaluation
-  libbenchmark-dev python3-matplotlib
+  # benchmarks, the figures of the evaluation, and images in tests
+  libbenchmark-dev python3-matplotlib python3-pil
 )
 
 # Plugins for compressed images, which Debian has from 13 on.
