@@ -26,7 +26,8 @@ struct BagInput {
 
 /// The input of a bag. Topics that are named are taken; the kind is the one they belong to. All others are looked for under the
 /// default names below `camera`, or below /stereo if that is empty. The kind is stereo there unless it is given. Where these
-/// are not complete, topics are found by type below `camera`, or in the whole bag. An image may be compressed; then it is known by the name of the image or by its own. Throws std::invalid_argument for options that contradict each other, and
+/// are not complete, topics are found by type below `camera`, or in the whole bag. An image may be compressed; then it is known
+/// by the name of the image or by its own. Throws std::invalid_argument for options that contradict each other, and
 /// std::runtime_error that says which topics are missing or which inputs fit, and which topics there are.
 BagInput chooseInput(const rosbag::Bag& bag, const InputOptions& options);
 

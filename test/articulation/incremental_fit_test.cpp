@@ -91,7 +91,7 @@ TEST(IncrementalFit, CirclesStayWithinTheirLimits) {
     track.stamps.push_back(i);
   }
   for (const int steps : {0, 1, 5}) {
-    const ArcFit fit = continueArc(PoseSamples(track), PathShape::kCircle, {line, 0.001, 0.1}, steps, config);
+    const ArcFit fit = fitArc(PoseSamples(track), PathShape::kCircle, {line, 0.001, 0.1}, FitEffort::continued(steps), config);
     EXPECT_GE(std::abs(fit.arc.curvature), 1 / config.radius_max) << steps;
   }
 }

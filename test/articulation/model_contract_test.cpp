@@ -116,7 +116,7 @@ TEST_P(ModelContract, IdenticalPosesGiveFiniteNumbers) {
   EXPECT_TRUE(std::isfinite(model->logLikelihood(same, model->residuals(same))));
   EXPECT_TRUE(model->covariance(same, closedPose().translation(), 0).allFinite());
   if (model->moves()) {
-    EXPECT_TRUE(std::isfinite(model->sequenceLogLikelihood(same, std::nullopt)));
+    EXPECT_TRUE(std::isfinite(model->sequenceLogLikelihood(same, WorkBudget::unlimited(), std::nullopt).log_likelihood));
   }
 }
 

@@ -115,7 +115,7 @@ TEST(NonparametricModel, GoesOnBeyondWhatWasSeen) {
     NonparametricModel free((ArticulationConfig()));
     ObservationHistory poses((ArticulationConfig()));
     poses.update(garageTrack(0.002, 3, 0, 0.9));
-    EXPECT_TRUE(free.fit(poses.track({}, 1000)));
+    EXPECT_TRUE(free.fit(poses.track({}, 1000), WorkBudget::unlimited()));
     LearnedModel learned;
     learned.type = JointType::kNonparametric;
     const ModelResiduals residuals = free.residuals(poses.track({}, 1000));

@@ -2,6 +2,8 @@
 #include <rosbag/bag.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
+
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "messages.h"
 #include "scratch_file.h"
@@ -50,7 +52,7 @@ template <class Message>
 struct Serializer<cabinet_articulation::fuzz::RawMessage<Message>> {
   template <class Stream>
   static void write(Stream& stream, const cabinet_articulation::fuzz::RawMessage<Message>& message) {
-    std::memcpy(stream.advance(serializedLength(message)), message.bytes.data(), message.bytes.size());
+    std::copy(message.bytes.begin(), message.bytes.end(), stream.advance(serializedLength(message)));
   }
   static std::uint32_t serializedLength(const cabinet_articulation::fuzz::RawMessage<Message>& message) {
     return static_cast<std::uint32_t>(message.bytes.size());

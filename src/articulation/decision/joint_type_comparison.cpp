@@ -14,9 +14,6 @@ namespace {
 /// [nats] Between the evidence of moving models.
 constexpr double kClear = 25;
 
-/// Poses times steps that one update may take.
-constexpr int kWork = 360;
-
 constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
 
 /// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with: a sequence is
@@ -59,26 +56,26 @@ double longestPath(const std::vector<Candidate>& candidates) {
 
 }  // namespace
 
-void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint reference, bool thorough,
+void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint reference, const WorkSchedule& schedule,
                                  std::vector<Candidate>* candidates) {
-  const bool goes_on = compared_at_ > 0 && !thorough && entries_.size() == candidates->size();
+  const bool goes_on = compared_at_ > 0 && !schedule.isEverything() && entries_.size() == candidates->size();
   const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
   const double limit = 3 * config_.sigma_position;
   const double path = longestPath(*candidates);
   // Without an earlier verdict a first glance would be taken for one.
-  thorough = thorough || verdict_.size() != candidates->size();
+  const bool thorough = schedule.isEverything() || verdict_.size() != candidates->size();
   const auto begin = [&](std::size_t count) {
     track_ = fromExplained(poses.runs(reference, count), *candidates, limit);
     compared_at_ = poses.size();
     compared_path_ = path;
     entries_.assign(candidates->size(), {});
-    thorough ? compare(*candidates) : advance(*candidates);
+    thorough ? compare(*candidates) : advance(*candidates, schedule.comparison(track_.size()).steps());
   };
   if (!goes_on) close_ = false;
   // What was clear stays clear until a good deal more was seen, or a bit more of the way.
   const bool known = isClear() && 10 * poses.size() < 11 * compared_at_ && path < 1.1 * compared_path_;
   if (goes_on && !isSettled())
-    advance(*candidates);
+    advance(*candidates, schedule.comparison(track_.size()).steps());
   else if (!goes_on || !known)
     begin(close_ ? more : kRunPoses);
   if (isSettled() && !isClear() && !close_ && std::min(more, poses.size()) > kRunPoses) {
@@ -95,25 +92,27 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
   const bool few = track_.size() < MotionDetector::kFew && !track_.orientation_weights.empty();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     ArticulationModel& model = *candidates[i].model;
-    if (model.moves()) set(i, model, {few ? 0 : model.sequenceLogLikelihood(track_, rivalOf(i)), true});
+    if (!model.moves()) continue;
+    set(i, model, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, WorkBudget::unlimited(), rivalOf(i)));
   }
 }
 
 /// As many steps as there is time for, of one model after the other where that is not even one for each.
-void JointTypeComparison::advance(const std::vector<Candidate>& candidates) {
-  std::size_t steps = std::max<std::size_t>(1, kWork / track_.size());
+void JointTypeComparison::advance(const std::vector<Candidate>& candidates, int steps) {
   if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.moves; }))
     --steps;  // for a first look
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (!candidates[i].model->moves()) continue;
-    if (!entries_[i].moves) set(i, *candidates[i].model, candidates[i].model->advanceSequence(track_, 0, std::nullopt));
+    ArticulationModel& model = *candidates[i].model;
+    if (!model.moves()) continue;
+    if (!entries_[i].moves) set(i, model, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(0), std::nullopt));
     if (!entries_[i].settled) open.push_back(i);
   }
-  for (std::size_t k = 0; k < std::min(steps, open.size()); ++k) {
+  const int count = static_cast<int>(open.size());
+  for (int k = 0; k < std::min(steps, count); ++k) {
     const std::size_t i = open[turn_++ % open.size()];
-    const std::size_t share = std::max<std::size_t>(1, steps / open.size());
-    set(i, *candidates[i].model, candidates[i].model->advanceSequence(track_, static_cast<int>(share), rivalOf(i)));
+    ArticulationModel& model = *candidates[i].model;
+    set(i, model, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(std::max(1, steps / count)), rivalOf(i)));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "articulation/decision/model_selection.h"
+#include "articulation/fitting/work_schedule.h"
 #include "articulation/observations/observation_history.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
 
@@ -22,8 +23,9 @@ class JointTypeComparison {
   /// The next begins anew; until it is done, what was found before stays.
   void reset() { compared_at_ = 0; }
 
-  /// Sets the evidence of candidates that move. `thorough`: all at once.
-  void update(const ObservationHistory& poses, ReferencePoint reference, bool thorough, std::vector<Candidate>* candidates);
+  /// Sets the evidence of candidates that move.
+  void update(const ObservationHistory& poses, ReferencePoint reference, const WorkSchedule& schedule,
+              std::vector<Candidate>* candidates);
 
  private:
   struct Entry {
@@ -33,7 +35,7 @@ class JointTypeComparison {
   };
 
   void compare(const std::vector<Candidate>& candidates);
-  void advance(const std::vector<Candidate>& candidates);
+  void advance(const std::vector<Candidate>& candidates, int steps);
   void set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress);
   std::optional<double> rivalOf(std::size_t i) const;
   bool isSettled() const;

@@ -23,7 +23,7 @@ constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms a
 constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
 
 constexpr double kLargestGap = 0.7;  ///< largest unobserved share of the travelled range
-constexpr double kQuick = 0.5;  ///< [s] within which a hand hardly turns round
+constexpr double kQuick = 0.5;       ///< [s] within which a hand hardly turns round
 
 constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
 

@@ -7,17 +7,10 @@ namespace cabinet_articulation::core {
 namespace {
 
 template <bool kWithOrientation>
-ArcFit fitFrom(const PoseSamples& samples, PathShape shape, const Arc& start, double tolerance,
-               const ArticulationConfig& config) {
-  IndependentNoise noise(config);
-  const auto result = ArcFitter<kWithOrientation>(samples, config).refine(start, shape, &noise, std::nullopt, tolerance);
-  return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
-}
-
-template <bool kWithOrientation>
-ArcFit continued(const PoseSamples& samples, PathShape shape, const ArcFit& last, int steps, const ArticulationConfig& config) {
-  IndependentNoise noise(config, last.position_scale, last.orientation_scale);
-  const auto result = ArcFitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
+ArcFit fitted(const PoseSamples& samples, PathShape shape, const ArcFit& start, const FitEffort& effort,
+              const ArticulationConfig& config) {
+  IndependentNoise noise(config, start.position_scale, start.orientation_scale);
+  const auto result = ArcFitter<kWithOrientation>(samples, config).fit(start.arc, shape, &noise, effort);
   return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
 }
 
@@ -30,20 +23,12 @@ double costOf(const PoseSamples& samples, const Arc& arc, const ArticulationConf
 }
 
 template <bool kWithOrientation>
-SequenceFit sequenceFrom(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
-                         std::optional<double> rival, const ArticulationConfig& config) {
-  SequenceNoise noise(samples, config, fit.position_scale, fit.orientation_scale);
-  if (rival) rival = -*rival;
-  const auto result = ArcFitter<kWithOrientation>(samples, config).refine(start, shape, &noise, rival);
-  return {result.arc, -result.cost, noise.noise()};
-}
-
-template <bool kWithOrientation>
-SequenceFit sequenceContinued(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& last, int steps,
-                              const ArticulationConfig& config) {
-  SequenceNoise noise(samples, last.noise, fit.position_scale, fit.orientation_scale);
-  const auto result = ArcFitter<kWithOrientation>(samples, config).proceed(last.arc, shape, steps, &noise);
-  return {result.arc, -result.cost, noise.noise(), steps > 0 ? result.settled : last.settled};
+SequenceFit fittedSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& start,
+                           const FitEffort& effort, const ArticulationConfig& config) {
+  SequenceNoise noise(samples, start.noise, fit.position_scale, fit.orientation_scale);
+  const auto result = ArcFitter<kWithOrientation>(samples, config).fit(start.arc, shape, &noise, effort);
+  const bool settled = effort.steps > 0 ? result.settled || !effort.continues : start.settled;
+  return {result.arc, -result.cost, noise.noise(), settled};
 }
 
 template <bool kWithOrientation>
@@ -60,14 +45,10 @@ double arcCost(const PoseSamples& samples, const Arc& arc, const ArticulationCon
   return samples.has_orientation ? costOf<true>(samples, arc, config) : costOf<false>(samples, arc, config);
 }
 
-ArcFit fitArc(const PoseSamples& samples, PathShape shape, const Arc& start, const ArticulationConfig& config, double tolerance) {
-  return samples.has_orientation ? fitFrom<true>(samples, shape, start, tolerance, config)
-                                 : fitFrom<false>(samples, shape, start, tolerance, config);
-}
-
-ArcFit continueArc(const PoseSamples& samples, PathShape shape, const ArcFit& last, int steps, const ArticulationConfig& config) {
-  return samples.has_orientation ? continued<true>(samples, shape, last, steps, config)
-                                 : continued<false>(samples, shape, last, steps, config);
+ArcFit fitArc(const PoseSamples& samples, PathShape shape, const ArcFit& start, const FitEffort& effort,
+              const ArticulationConfig& config) {
+  return samples.has_orientation ? fitted<true>(samples, shape, start, effort, config)
+                                 : fitted<false>(samples, shape, start, effort, config);
 }
 
 Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config) {
@@ -75,21 +56,15 @@ Eigen::MatrixXd arcCovariance(const PoseSamples& samples, PathShape shape, const
                                  : covarianceOf<false>(samples, shape, fit, config);
 }
 
-SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const Arc& start,
-                           std::optional<double> rival, const ArticulationConfig& config) {
-  return samples.has_orientation ? sequenceFrom<true>(samples, shape, fit, start, rival, config)
-                                 : sequenceFrom<false>(samples, shape, fit, start, rival, config);
-}
-
 SequenceFit sequenceStart(const PoseSamples& samples, const ArcFit& fit, const Arc& start, const ArticulationConfig& config) {
   const SequenceNoise noise(samples, config, fit.position_scale, fit.orientation_scale);
   return {start, -std::numeric_limits<double>::infinity(), noise.noise(), false};
 }
 
-SequenceFit continueArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& last,
-                                int steps, const ArticulationConfig& config) {
-  return samples.has_orientation ? sequenceContinued<true>(samples, shape, fit, last, steps, config)
-                                 : sequenceContinued<false>(samples, shape, fit, last, steps, config);
+SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& start,
+                           const FitEffort& effort, const ArticulationConfig& config) {
+  return samples.has_orientation ? fittedSequence<true>(samples, shape, fit, start, effort, config)
+                                 : fittedSequence<false>(samples, shape, fit, start, effort, config);
 }
 
 }  // namespace cabinet_articulation::core

@@ -17,7 +17,6 @@ namespace cabinet_articulation::core {
 /// digits do not matter.
 constexpr double kHeldTolerance = 0.5;
 
-constexpr int kRounds = 25;
 constexpr double kTrustRegion = 1e4;
 constexpr int kDampings = 7;  ///< tried before a step is given up
 
@@ -31,7 +30,7 @@ class ArcFitter {
   struct Result {
     Arc arc;
     double cost;
-    bool settled = true;
+    bool settled;
   };
 
   ArcFitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
@@ -42,56 +41,36 @@ class ArcFitter {
     solver_.options.gradient_tolerance = 1e-9;
   }
 
-  /// Alternates between the noise and the path. Where the curvature is free but leaves its limits twice, or in the end,
-  /// it is held at the limit: no crawling along it. `rival` is a cost from which the result need only differ clearly.
+  /// Alternates between the noise and the path. Where the curvature is free but leaves its limits for good, it is held at the
+  /// limit: no crawling along it. A fresh fit may come back from outside once. One that continues was held at the limit before
+  /// if it does not fit better inside.
   template <class Noise>
-  Result refine(const Arc& start, PathShape shape, Noise* noise, std::optional<double> rival, double tolerance = kFineFit) {
+  Result fit(const Arc& start, PathShape shape, Noise* noise, FitEffort effort) {
     const double unknown = std::numeric_limits<double>::infinity();
-    Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
+    const bool held = shape == PathShape::kLine || (effort.continues && isHeld(start, *noise));
+    Curvature curvature = held ? Curvature::kFixed : Curvature::kFree;
+    int excursions = 1;
     Arc arc = start;
-    Result best{start, unknown};
-    int outside = 0;
-    int rounds = kRounds;
-    for (int round = 0; round < rounds; ++round) {
+    Result best{start, unknown, false};
+    for (int round = 0;; ++round) {
       const double cost = costOf(arc, noise);
       const double gain = best.cost - cost;
-      if (gain > 0) best = {arc, cost};
-      const bool leaves = curvature == Curvature::kFree && shape == PathShape::kCircle && isOutside(arc);
-      outside += leaves;
-      const bool settled = gain < tolerance || (!leaves && rival && isClear(best.cost, gain, *rival));
-      if (!settled && outside < 2) {
-        if (step(&arc, curvature, noise->noise())) continue;
+      if (gain > 0) best = {arc, cost, false};
+      const bool outside = isLeaving(arc, curvature);
+      best.settled = gain < effort.tolerance || (!outside && effort.rival && isClear(best.cost, gain, -*effort.rival));
+      bool holds = outside && (best.settled || excursions-- == 0);
+      if (!holds) {
+        if (best.settled || round == effort.steps) break;
+        best.settled = !step(&arc, curvature, noise->noise());
+        if (best.settled && !outside) break;
+        holds = best.settled || (effort.continues && isLeaving(arc, curvature));
       }
-      if (!leaves) break;
+      if (!holds) continue;
       arc = limited(best.arc);
       curvature = Curvature::kFixed;
-      tolerance = kHeldTolerance;
-      best = {arc, unknown};
-      outside = 0;
-      rounds = std::max(rounds, round + 2);  // its cost is found in the next one
-    }
-    return {curvature == Curvature::kFree && shape == PathShape::kCircle ? limited(best.arc) : best.arc, best.cost};
-  }
-
-  /// A few steps from where an earlier fit ended, by the same rules but for the curvature: a path that was held at the limit
-  /// stays there until it fits better inside.
-  template <class Noise>
-  Result proceed(const Arc& start, PathShape shape, int steps, Noise* noise) {
-    Curvature curvature = shape == PathShape::kLine || isHeld(start, *noise) ? Curvature::kFixed : Curvature::kFree;
-    Arc arc = start;
-    Result best{start, std::numeric_limits<double>::infinity(), false};
-    for (int i = 0;; ++i) {
-      const double cost = costOf(arc, noise);
-      best.settled = best.cost - cost < kFineFit;
-      if (cost < best.cost) best = {arc, cost, best.settled};
-      if (best.settled || i == steps) break;
-      best.settled = !step(&arc, curvature, noise->noise());
-      if (best.settled) break;
-      if (curvature == Curvature::kFixed || !isOutside(arc)) continue;
-      arc = limited(best.arc);
-      curvature = Curvature::kFixed;
-      best.cost = std::numeric_limits<double>::infinity();
-      steps = std::max(steps, i + 2);
+      best = {arc, unknown, false};
+      if (!effort.continues) effort.tolerance = kHeldTolerance;
+      effort.steps = std::max(effort.steps, round + 2);  // its cost is found in the next round
     }
     if (shape == PathShape::kCircle) best.arc = limited(best.arc);
     return best;
@@ -135,7 +114,9 @@ class ArcFitter {
   double limitedCurvature(const Arc& arc) const {
     return std::copysign(std::clamp(std::abs(arc.curvature), 1 / config_.radius_max, 1 / config_.radius_min), arc.curvature);
   }
-  bool isOutside(const Arc& arc) const { return arc.curvature != limitedCurvature(arc); }
+  bool isLeaving(const Arc& arc, Curvature curvature) const {
+    return curvature == Curvature::kFree && arc.curvature != limitedCurvature(arc);
+  }
 
   /// Slides the centre along the radial direction of the arc's middle until the radius is allowed.
   Arc limited(Arc arc) const {

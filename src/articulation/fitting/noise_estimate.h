@@ -18,8 +18,9 @@ class IndependentNoise {
     noise_.orientation = std::max(config.sigma_orientation, config.sigma_orientation_floor);
   }
 
-  /// Goes on from the scales of an earlier fit.
+  /// Goes on from the scales of an earlier fit, if they are not 0.
   IndependentNoise(const ArticulationConfig& config, double position_scale, double orientation_scale) : IndependentNoise(config) {
+    if (position_scale == 0) return;
     noise_.position = noise_.placing_position = position_scale;
     noise_.orientation = noise_.placing_orientation = orientation_scale;
   }

@@ -33,22 +33,32 @@ double relativeNoise(const PoseSamples& samples, const Arc& arc, const Articulat
 
 }  // namespace
 
-bool ReferenceSearch::advance(const ObservationHistory& poses, double width, double height) {
+bool ReferenceSearch::advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget) {
   // Corners turn about a hinge as the middles of edges do.
   static const std::vector<ReferencePoint> kPoints{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+  do {
+    if (isSteady(poses, width, height)) {
+      options_.clear();
+      return true;
+    }
+    lookAt(kPoints[options_.size()], poses, width, height);
+  } while (budget.isUnlimited() && options_.size() < kPoints.size());
+  return options_.size() == kPoints.size();
+}
+
+/// Then the centre is as good as any other point.
+bool ReferenceSearch::isSteady(const ObservationHistory& poses, double width, double height) const {
   const bool unknown = width <= 0 || height <= 0 || poses.size() < 3;
-  if (unknown || (poses.size() >= kEarly && poses.sizeDeviation() < kSteadySize)) {
-    options_.clear();
-    return true;
-  }
-  const ReferencePoint point = kPoints[options_.size()];
+  return unknown || (poses.size() >= kEarly && poses.sizeDeviation() < kSteadySize);
+}
+
+void ReferenceSearch::lookAt(const ReferencePoint& point, const ObservationHistory& poses, double width, double height) {
   PoseSamples samples(poses.track(point, kComparedPoses));
   samples.hinge = {};  // the wide arc that stands for a drawer has none
   const Arc start = options_.empty() ? bestCircleStart(samples, config_) : center_arc_.shifted(point.offset(width, height));
-  const ArcFit fit = fitArc(samples, PathShape::kCircle, start, config_, kRoughFit);
+  const ArcFit fit = fitArc(samples, PathShape::kCircle, {start}, FitEffort::fresh(kRoughFit), config_);
   if (options_.empty()) center_arc_ = fit.arc;
   options_.push_back({point, relativeNoise(samples, fit.arc, config_)});
-  return options_.size() == kPoints.size();
 }
 
 ReferencePoint ReferenceSearch::best(const ReferencePoint* preferred) const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "articulation/fitting/work_schedule.h"
 #include "articulation/observations/observation_history.h"
 #include "articulation/paths/arc.h"
 
@@ -16,13 +17,16 @@ class ReferenceSearch {
  public:
   explicit ReferenceSearch(const ArticulationConfig& config) : config_(config) {}
 
-  /// Looks at one more point of a front of the given size. True when that was the last.
-  bool advance(const ObservationHistory& poses, double width, double height);
+  /// Looks at the points of a front of the given size, one in a call if the budget is limited. True when none is left.
+  bool advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget);
 
   /// The best point. `preferred` (may be null) is kept unless another is clearly better.
   ReferencePoint best(const ReferencePoint* preferred) const;
 
  private:
+  bool isSteady(const ObservationHistory& poses, double width, double height) const;
+  void lookAt(const ReferencePoint& point, const ObservationHistory& poses, double width, double height);
+
   struct Option {
     ReferencePoint point;
     double noise;

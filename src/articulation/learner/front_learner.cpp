@@ -13,11 +13,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// So few can be fitted by all models.
-constexpr std::size_t kTurnPoses = 60;
-
-/// Fewer can be looked at from everywhere each time, and do not tell for long which point of the front is seen best.
-constexpr std::size_t kFew = 16;
+constexpr std::size_t kFew = WorkSchedule::kFew;
 
 /// [nats] Motion that is less probable than 0.9 is not called so yet (ours).
 constexpr double kLogOdds = 2.2;
@@ -63,9 +59,8 @@ void FrontLearner::chooseReference(const Track& track) {
   const bool due = observations_.size() < kFew || observations_.size() >= 2 * reference_chosen_at_;
   if (!reference_search_ && !due) return;
   if (!reference_search_) reference_search_.emplace(config_);
-  bool done = reference_search_->advance(observations_, track.width, track.height);
-  while (thorough_ && !done) done = reference_search_->advance(observations_, track.width, track.height);
-  if (!done) return;
+  const WorkBudget budget = schedule_.fit(observations_.size());
+  if (!reference_search_->advance(observations_, track.width, track.height, budget)) return;
   const ReferencePoint best = reference_search_->best(reference_chosen_at_ > 0 ? &reference_ : nullptr);
   reference_search_.reset();
   reference_chosen_at_ = std::max(kFew / 2, observations_.size());
@@ -78,15 +73,12 @@ void FrontLearner::chooseReference(const Track& track) {
 }
 
 void FrontLearner::fitModels(const PoseSequence& track, bool parametric) {
-  std::size_t turn = observations_.size();
   for (const auto& entry : models_) {
     ArticulationModel& model = *entry;
     if (model.isParametric() != parametric) continue;
-    // Models that did not explain the front best take turns.
-    const bool takes_turns = parametric && !reference_moved_ && track.size() > kTurnPoses && model.type() != learned_.type;
-    const bool rests = takes_turns && ++turn % 2 == 1;
-    const bool fitted = thorough_ ? model.fit(track) : rests || model.refit(track);
-    if (fitted) candidates_.push_back(evaluateCandidate(&model, track, config_));
+    const bool may_rest = parametric && !reference_moved_ && model.type() != learned_.type;
+    const bool rests = may_rest && schedule_.nextRests(track.size());
+    if (rests || model.fit(track, schedule_.fit(track.size()))) candidates_.push_back(evaluateCandidate(&model, track, config_));
   }
 }
 
@@ -98,7 +90,7 @@ void FrontLearner::compareMotions(const MotionDetector* detector) {
   // How a front moves that stands still is not worth the time.
   if (!moves) return comparison_.reset();
   const bool newly_doubted = noteDoubt();
-  comparison_.update(observations_, reference_, thorough_ || newly_doubted, &candidates_);
+  comparison_.update(observations_, reference_, newly_doubted ? WorkSchedule::everything() : schedule_, &candidates_);
 }
 
 bool FrontLearner::update(const Track& track) {
@@ -108,7 +100,7 @@ bool FrontLearner::update(const Track& track) {
   if (!observations_.update(track)) return false;
   placed_anew_ = known == 0;
   if (placed_anew_) startAnew();
-  thorough_ = observations_.size() < kFew || 4 * observations_.size() >= 5 * known;
+  schedule_ = WorkSchedule::ofUpdate(known, observations_.size());
   front_.id = track.id;
   front_.width = track.width;
   front_.height = track.height;
@@ -144,7 +136,7 @@ KnownJoint FrontLearner::knownJoint() const { return {*joint_, reference_.offset
 
 void FrontLearner::learnAnew(const Track& track) {
   startAnew();
-  thorough_ = true;
+  schedule_ = WorkSchedule::everything();
   learn(track);
 }
 

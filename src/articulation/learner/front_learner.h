@@ -10,6 +10,7 @@
 #include "articulation/decision/model_selection.h"
 #include "articulation/decision/motion_detection.h"
 #include "articulation/fitting/reference_point_search.h"
+#include "articulation/fitting/work_schedule.h"
 #include "articulation/models/known_joint.h"
 #include "cabinet_articulation/articulation/articulation_learner.h"
 
@@ -66,7 +67,7 @@ class FrontLearner {
   PoseSequence spaced_;                  ///< of the reference point, evenly spaced
   bool reference_moved_ = false;         ///< in this update
   JointTypeComparison comparison_;
-  bool thorough_ = true;  ///< this update does everything at once
+  WorkSchedule schedule_;  ///< of this update
   std::vector<Candidate> candidates_;
   Selection selection_;
   JointEvidence evidence_;

@@ -10,9 +10,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// Poses times steps of a refit.
-constexpr int kRefitWork = 160;
-
 /// Enough poses to start from.
 PoseSequence thinned(const PoseSequence& track) {
   constexpr std::size_t kPoses = 100;
@@ -30,43 +27,41 @@ bool ArcModel::isEnough(const PoseSequence& track) const {
   return track.size() >= (shape_ == PathShape::kLine || track.has_orientation ? 2u : 3u);
 }
 
-bool ArcModel::fit(const PoseSequence& track) {
+bool ArcModel::fit(const PoseSequence& track, const WorkBudget& budget) {
   if (!isEnough(track)) return false;
-  const PoseSamples samples(track);
+  const bool continues = fitted_ && with_orientation_ == track.has_orientation && !budget.isUnlimited();
   with_orientation_ = track.has_orientation;
-  take(samples, fitArc(samples, shape_, startOf(samples), config_));
   fitted_ = true;
-  updates_ = 0;
-  fresh_.reset();
-  sequence_.reset();
-  others_.clear();
-  return true;
-}
-
-bool ArcModel::refit(const PoseSequence& track) {
-  if (!fitted_ || with_orientation_ != track.has_orientation) return fit(track);
   const PoseSamples samples(track);
-  const int steps = std::max(1, kRefitWork / static_cast<int>(samples.size()));
-  // A front that leaves the path it was thought to follow starts to move: its fit may be nowhere near.
-  const bool leaves = std::sqrt(fit_.arc.squaredDistance(samples.positions.back())) > 3 * fit_.position_scale;
-  if (fresh_) {
-    refitBesidesFresh(samples, leaves ? 0 : (steps + ++updates_ % 2) / 2, steps);
-  } else {
-    fit_ = continueArc(samples, shape_, fit_, steps, config_);
-    if (leaves || 10 * ++updates_ > static_cast<int>(samples.size())) {
-      fresh_ = ArcFit{startOf(PoseSamples(thinned(track))), config_.sigma_position, config_.sigma_orientation_floor};
-      updates_ = fresh_steps_ = 0;
-    }
-  }
+  continues ? continueFit(track, samples, budget.steps()) : fitAnew(samples);
   take(samples, fit_);
   return true;
 }
 
+void ArcModel::fitAnew(const PoseSamples& samples) {
+  fit_ = fitArc(samples, shape_, {startOf(samples)}, FitEffort::fresh(), config_);
+  updates_ = 0;
+  fresh_.reset();
+  sequence_.reset();
+  others_.clear();
+}
+
+void ArcModel::continueFit(const PoseSequence& track, const PoseSamples& samples, int steps) {
+  // A front that leaves the path it was thought to follow starts to move: its fit may be nowhere near.
+  const bool leaves = std::sqrt(fit_.arc.squaredDistance(samples.positions.back())) > 3 * fit_.position_scale;
+  if (fresh_) return continueBesidesFresh(samples, leaves ? 0 : (steps + ++updates_ % 2) / 2, steps);
+  fit_ = fitArc(samples, shape_, fit_, FitEffort::continued(steps), config_);
+  if (leaves || 10 * ++updates_ > static_cast<int>(samples.size())) {
+    fresh_ = ArcFit{startOf(PoseSamples(thinned(track))), config_.sigma_position, config_.sigma_orientation_floor};
+    updates_ = fresh_steps_ = 0;
+  }
+}
+
 /// The two fits share the steps: `steps` of `all`.
-void ArcModel::refitBesidesFresh(const PoseSamples& samples, int steps, int all) {
+void ArcModel::continueBesidesFresh(const PoseSamples& samples, int steps, int all) {
   constexpr int kFreshSteps = 8;
-  fit_ = continueArc(samples, shape_, fit_, steps, config_);
-  fresh_ = continueArc(samples, shape_, *fresh_, all - steps, config_);
+  fit_ = fitArc(samples, shape_, fit_, FitEffort::continued(steps), config_);
+  fresh_ = fitArc(samples, shape_, *fresh_, FitEffort::continued(all - steps), config_);
   if (fresh_->cost < fit_.cost) std::swap(*fresh_, fit_);
   fresh_steps_ += all - steps;
   if (fresh_steps_ < kFreshSteps) return;
@@ -142,27 +137,39 @@ double ArcModel::arcLength(const Eigen::Isometry3d& pose) const {
 
 double ArcModel::configuration(const Eigen::Isometry3d& pose) const { return (arcLength(pose) - first_) * unit(); }
 
-double ArcModel::sequenceLogLikelihood(const PoseSequence& track, std::optional<double> rival) {
+SequenceProgress ArcModel::sequenceLogLikelihood(const PoseSequence& track, const WorkBudget& budget,
+                                                 std::optional<double> rival) {
   const PoseSamples samples(track);
-  sequence_ = fitArcSequence(samples, shape_, fit_, arc_, rival, config_);
+  return budget.isUnlimited() ? compareAnew(samples, rival) : continueComparison(samples, budget.steps(), rival);
+}
+
+SequenceFit ArcModel::sequenceFit(const PoseSamples& samples, const SequenceFit& start, const FitEffort& effort) const {
+  return fitArcSequence(samples, shape_, fit_, start, effort, config_);
+}
+
+SequenceProgress ArcModel::compareAnew(const PoseSamples& samples, std::optional<double> rival) {
+  const FitEffort effort = FitEffort::fresh(kFineFit, rival);
+  const auto fitFrom = [&](const Arc& start) {
+    return sequenceFit(samples, sequenceStart(samples, fit_, start, config_), effort);
+  };
+  sequence_ = fitFrom(arc_);
   others_.clear();
   // Circles have local optima: where it matters, they are looked for from everywhere.
   const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClearDifference;
-  if (shape_ == PathShape::kLine || !close) return sequence_->log_likelihood;
+  if (shape_ == PathShape::kLine || !close) return {sequence_->log_likelihood, true};
   searched_at_ = samples.size();
   for (const Arc& start : typicalCircles(samples, arc_)) {
-    const SequenceFit fit = fitArcSequence(samples, shape_, fit_, start, rival, config_);
+    const SequenceFit fit = fitFrom(start);
     if (fit.log_likelihood > sequence_->log_likelihood) sequence_ = fit;
   }
-  return sequence_->log_likelihood;
+  return {sequence_->log_likelihood, true};
 }
 
-SequenceProgress ArcModel::advanceSequence(const PoseSequence& track, int steps, std::optional<double> rival) {
-  const PoseSamples samples(track);
+SequenceProgress ArcModel::continueComparison(const PoseSamples& samples, int steps, std::optional<double> rival) {
   if (!sequence_) sequence_ = sequenceStart(samples, fit_, arc_, config_);
   // The last fit may have been to other poses: it is looked at anew, if only without a step.
   const bool tries_other = sequence_->settled && !others_.empty() && steps > 0;
-  sequence_ = continueArcSequence(samples, shape_, fit_, *sequence_, tries_other ? 0 : steps, config_);
+  sequence_ = sequenceFit(samples, *sequence_, FitEffort::continued(tries_other ? 0 : steps));
   if (steps == 0) startFromFitIfBetter(samples);
   if (tries_other) tryOtherStart(samples, steps);
   const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClearDifference;
@@ -179,13 +186,13 @@ SequenceProgress ArcModel::advanceSequence(const PoseSequence& track, int steps,
 /// An earlier sequence fit may be caught in an optimum that other poses meanwhile made a bad one.
 void ArcModel::startFromFitIfBetter(const PoseSamples& samples) {
   const SequenceFit start = sequenceStart(samples, fit_, arc_, config_);
-  const SequenceFit fresh = continueArcSequence(samples, shape_, fit_, start, 0, config_);
+  const SequenceFit fresh = sequenceFit(samples, start, FitEffort::continued(0));
   if (fresh.log_likelihood > sequence_->log_likelihood) sequence_ = fresh;
 }
 
 void ArcModel::tryOtherStart(const PoseSamples& samples, int steps) {
   SequenceFit& other = others_.back();
-  other = continueArcSequence(samples, shape_, fit_, other, steps, config_);
+  other = sequenceFit(samples, other, FitEffort::continued(steps));
   const bool settled = other.settled;
   if (other.log_likelihood > sequence_->log_likelihood) sequence_ = other;
   if (settled) others_.pop_back();

@@ -14,13 +14,12 @@ class ArcModel : public ArticulationModel {
  public:
   ArcModel(const ArticulationConfig& config, PathShape shape) : ArticulationModel(config), shape_(shape) {}
 
-  bool fit(const PoseSequence& track) override;
-  bool refit(const PoseSequence& track) override;
+  bool fit(const PoseSequence& track, const WorkBudget& budget) override;
   void moveReference(const Eigen::Vector3d& offset) override;
   Eigen::Isometry3d predict(double q) const override { return arc_.pose(first_ + q / unit()); }
   double configuration(const Eigen::Isometry3d& pose) const override;
-  double sequenceLogLikelihood(const PoseSequence& track, std::optional<double> rival) override;
-  SequenceProgress advanceSequence(const PoseSequence& track, int steps, std::optional<double> rival) override;
+  SequenceProgress sequenceLogLikelihood(const PoseSequence& track, const WorkBudget& budget,
+                                         std::optional<double> rival) override;
 
  protected:
   /// q per metre of path.
@@ -36,7 +35,12 @@ class ArcModel : public ArticulationModel {
   bool isEnough(const PoseSequence& track) const;
   Arc startOf(const PoseSamples& samples) const;
   void take(const PoseSamples& samples, const ArcFit& fit);
-  void refitBesidesFresh(const PoseSamples& samples, int steps, int all);
+  void fitAnew(const PoseSamples& samples);
+  void continueFit(const PoseSequence& track, const PoseSamples& samples, int steps);
+  void continueBesidesFresh(const PoseSamples& samples, int steps, int all);
+  SequenceFit sequenceFit(const PoseSamples& samples, const SequenceFit& start, const FitEffort& effort) const;
+  SequenceProgress compareAnew(const PoseSamples& samples, std::optional<double> rival);
+  SequenceProgress continueComparison(const PoseSamples& samples, int steps, std::optional<double> rival);
   void startFromFitIfBetter(const PoseSamples& samples);
   void tryOtherStart(const PoseSamples& samples, int steps);
   double arcLength(const Eigen::Isometry3d& pose) const;

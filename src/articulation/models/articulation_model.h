@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "articulation/fitting/work_schedule.h"
 #include "articulation/models/joint_traits.h"
 #include "articulation/observations/pose_sequence.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
@@ -34,7 +35,7 @@ struct ModelResiduals {
   double freedom = 0;           ///< [nats] what models that move pay for q in the likelihood, Eq. (6)
 };
 
-/// How far ArticulationModel::advanceSequence() got.
+/// How far ArticulationModel::sequenceLogLikelihood() got.
 struct SequenceProgress {
   double log_likelihood = 0;
   bool settled = true;  ///< more steps would find nothing better
@@ -56,12 +57,9 @@ class ArticulationModel {
   virtual int complexity(bool with_orientation) const = 0;
 
   /// Estimates the parameters from a track of finite poses, in the order of their stamps. False if the track is too short for
-  /// this model; the model is then unchanged.
-  virtual bool fit(const PoseSequence& track) = 0;
-
-  /// The same for a track that goes on, in a bounded time: starts from the last fit, and may leave some of the work to the
-  /// next call.
-  virtual bool refit(const PoseSequence& track) { return fit(track); }
+  /// this model; the model is then unchanged. With a limited budget the track goes on from the one of the last call: the fit
+  /// starts from the last one, and may leave work to the next.
+  virtual bool fit(const PoseSequence& track, const WorkBudget& budget = WorkBudget::unlimited()) = 0;
 
   /// From now on the point of the front is observed that was `offset` away in the front's frame.
   virtual void moveReference(const Eigen::Vector3d& /*offset*/) {}
@@ -85,13 +83,10 @@ class ArticulationModel {
 
   /// Log-likelihood of the track, up to a constant that all models share, when residuals follow one another. The model
   /// may adapt itself to that for the purpose, but its parameters stay. Compares models that move (see
-  /// model_selection.h). `rival` is the best of the others so far: where the difference is clear, less effort will do.
-  virtual double sequenceLogLikelihood(const PoseSequence& track, std::optional<double> rival) = 0;
-
-  /// The same in parts: the best so far, after `steps` more steps from the last fit.
-  virtual SequenceProgress advanceSequence(const PoseSequence& track, int /*steps*/, std::optional<double> rival) {
-    return {sequenceLogLikelihood(track, rival), true};
-  }
+  /// model_selection.h). `rival` is the best of the others so far: where the difference is clear, less effort will do. With a
+  /// limited budget it goes on from the last call, and is the best so far.
+  virtual SequenceProgress sequenceLogLikelihood(const PoseSequence& track, const WorkBudget& budget,
+                                                 std::optional<double> rival) = 0;
 
   ModelResiduals residuals(const PoseSequence& track) const;
 

@@ -17,7 +17,7 @@ class KnownJoint : public ArticulationModel {
 
   const JointTraits& traits() const override { return modelEntry(joint_.type); }
   int complexity(bool) const override { return 0; }
-  bool fit(const PoseSequence&) override { return false; }
+  bool fit(const PoseSequence&, const WorkBudget&) override { return false; }
   Eigen::Isometry3d predict(double q) const override { return joint_.predict(q) * Eigen::Translation3d(reference_); }
   double configuration(const Eigen::Isometry3d& pose) const override {
     return joint_.configuration(pose * Eigen::Translation3d(-reference_));
@@ -25,7 +25,7 @@ class KnownJoint : public ArticulationModel {
   JointGeometry geometry() const override { return {joint_.axis, joint_.axis_point, joint_.radius}; }
   Matrix6d covariance(const PoseSequence&, const Eigen::Vector3d&, double) const override { return joint_.covariance; }
   std::vector<ModelParam> parameters() const override { return {}; }
-  double sequenceLogLikelihood(const PoseSequence&, std::optional<double>) override { return 0; }
+  SequenceProgress sequenceLogLikelihood(const PoseSequence&, const WorkBudget&, std::optional<double>) override { return {}; }
 
  private:
   const LearnedModel& joint_;

@@ -34,30 +34,31 @@ bool hasWay(const LearnedModel& model) {
 
 }  // namespace
 
-bool NonparametricModel::fit(const PoseSequence& track) {
+bool NonparametricModel::fit(const PoseSequence& track, const WorkBudget& budget) {
   if (track.size() < kLeastPoses) return false;
   const PoseSamples samples(track);
-  fits_.clear();
-  for (const PathShape shape : {PathShape::kLine, PathShape::kCircle})
-    fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_));
+  budget.isUnlimited() ? fitAll(samples) : fitOne(samples);
   take(*std::min_element(fits_.begin(), fits_.end(), isCheaper), track);
   return true;
 }
 
-bool NonparametricModel::refit(const PoseSequence& track) {
-  if (track.size() < kLeastPoses) return false;
-  const PoseSamples samples(track);
+void NonparametricModel::fitAll(const PoseSamples& samples) {
+  fits_.clear();
+  for (const PathShape shape : {PathShape::kLine, PathShape::kCircle})
+    fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_));
+}
+
+/// A round of one of the two fits, each of which costs as much as there is time for.
+void NonparametricModel::fitOne(const PoseSamples& samples) {
   if (fits_.size() < 2) {
     const PathShape shape = fits_.empty() ? PathShape::kLine : PathShape::kCircle;
     fits_.push_back(fitCurve(samples, placesAlong(shape, samples, config_), config_, 1));
-  } else {
-    // The worse one only now and then.
-    const auto best = std::min_element(fits_.begin(), fits_.end(), isCheaper);
-    CurveFit& next = ++refits_ % 4 == 0 ? fits_[best == fits_.begin()] : *best;
-    next = continueCurve(samples, std::move(next), config_);
+    return;
   }
-  take(*std::min_element(fits_.begin(), fits_.end(), isCheaper), track);
-  return true;
+  // The worse one only now and then.
+  const auto best = std::min_element(fits_.begin(), fits_.end(), isCheaper);
+  CurveFit& next = ++refits_ % 4 == 0 ? fits_[best == fits_.begin()] : *best;
+  next = continueCurve(samples, std::move(next), config_);
 }
 
 void NonparametricModel::take(const CurveFit& fit, const PoseSequence& track) {

@@ -27,8 +27,7 @@ class NonparametricModel : public ArticulationModel {
 
   const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override;
-  bool fit(const PoseSequence& track) override;
-  bool refit(const PoseSequence& track) override;
+  bool fit(const PoseSequence& track, const WorkBudget& budget) override;
   Eigen::Isometry3d predict(double q) const override { return curve_.pose(q); }
   double configuration(const Eigen::Isometry3d& pose) const override { return curve_.nearest(pose, metres_per_radian_); }
   /// The axis is the direction from one end of what was seen to the other.
@@ -37,9 +36,13 @@ class NonparametricModel : public ArticulationModel {
   Matrix6d covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const override;
   std::vector<ModelParam> parameters() const override;
   /// Not meaningful: a free curve follows any slow sequence.
-  double sequenceLogLikelihood(const PoseSequence&, std::optional<double>) override { return -1e300; }
+  SequenceProgress sequenceLogLikelihood(const PoseSequence&, const WorkBudget&, std::optional<double>) override {
+    return {-1e300, true};
+  }
 
  private:
+  void fitAll(const PoseSamples& samples);
+  void fitOne(const PoseSamples& samples);
   void take(const CurveFit& fit, const PoseSequence& track);
 
   std::vector<CurveFit> fits_;  ///< that started along a line and along a circle

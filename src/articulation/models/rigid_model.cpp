@@ -24,7 +24,7 @@ Eigen::Vector3d medianPosition(const PoseSamples& samples) {
 
 }  // namespace
 
-bool RigidModel::fit(const PoseSequence& track) {
+bool RigidModel::fit(const PoseSequence& track, const WorkBudget&) {
   if (track.size() == 0) return false;
   const PoseSamples samples(track);
   const bool weighted = !samples.position_weights.empty();

@@ -19,14 +19,16 @@ class RigidModel : public ArticulationModel {
 
   const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override { return with_orientation ? 6 : 3; }
-  bool fit(const PoseSequence& track) override;
+  bool fit(const PoseSequence& track, const WorkBudget& budget) override;
   Eigen::Isometry3d predict(double) const override { return pose_; }
   double configuration(const Eigen::Isometry3d&) const override { return 0; }
   JointGeometry geometry() const override { return {}; }
   Matrix6d covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const override;
   std::vector<ModelParam> parameters() const override;
   /// Not meaningful: slow motion is a sequence like any other, so that a rigid model would explain it.
-  double sequenceLogLikelihood(const PoseSequence&, std::optional<double>) override { return -1e300; }
+  SequenceProgress sequenceLogLikelihood(const PoseSequence&, const WorkBudget&, std::optional<double>) override {
+    return {-1e300, true};
+  }
 
  private:
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
