@@ -9,123 +9,22 @@
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
+#include "joints/yaml_fields.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-using Numbers = std::vector<double>;
-
-constexpr std::size_t kPose = 7, kTriangle = 21, kEdges = 4;
+constexpr std::size_t kEdges = 4;
 constexpr std::size_t kObservation = 1 + kPose + 2 + kEdges + kTriangle;
-constexpr double kUnitTolerance = 1e-6;
 constexpr double kObservationsOfOlderFiles = 10;
 
-/// Twelve digits: less than a nanometre, and to the millisecond in a stamp of today.
-std::string toText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), std::abs(value) > 1e6 ? "%.6f" : "%.12g", value);
-  return text;
-}
-
-YAML::Node list(const Numbers& numbers) {
-  YAML::Node node;
-  node.SetStyle(YAML::EmitterStyle::Flow);
-  for (const double number : numbers) node.push_back(toText(number));
-  return node;
-}
-
-void append(const Eigen::Vector3d& v, Numbers* numbers) { numbers->insert(numbers->end(), v.data(), v.data() + 3); }
-
-void append(const Eigen::Isometry3d& pose, Numbers* numbers) {
-  append(Eigen::Vector3d(pose.translation()), numbers);
-  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
-  numbers->insert(numbers->end(), q.coeffs().data(), q.coeffs().data() + 4);
-}
-
-void append(const Matrix6d& covariance, Numbers* numbers) {
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) numbers->push_back(covariance(i, j));
-}
-
-template <class Value>
-YAML::Node list(const Value& value) {
-  Numbers numbers;
-  append(value, &numbers);
-  return list(numbers);
-}
-
 double stampToWrite(double stamp) { return std::isfinite(stamp) ? std::clamp<double>(stamp, 0, limits::kLastSecond) : 0; }
-
-double number(const YAML::Node& node, const std::string& field) {
-  double value = 0;
-  if (!node || !node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-    throw std::runtime_error("'" + field + "' is missing or no finite number");
-  return value;
-}
-
-std::uint32_t count(const YAML::Node& node, const std::string& field, std::uint32_t largest) {
-  const double value = number(node, field);
-  if (value < 0 || value > largest || value != std::floor(value))
-    throw std::runtime_error("'" + field + "' is not a whole number from 0 to " + std::to_string(largest));
-  return static_cast<std::uint32_t>(value);
-}
 
 /// What ros::Time holds; a robot's messages know no others.
 double checkedStamp(double value, const std::string& field) {
   if (value < 0 || value > limits::kLastSecond)
     throw std::runtime_error("'" + field + "' has the time " + toText(value) + ", expected seconds from 0 to " +
                              std::to_string(limits::kLastSecond));
-  return value;
-}
-
-/// False where it is missing: a file may be older than the field.
-bool flag(const YAML::Node& node, const std::string& field) {
-  bool value = false;
-  if (node && !YAML::convert<bool>::decode(node, value)) throw std::runtime_error("'" + field + "' is neither true nor false");
-  return value;
-}
-
-Numbers numbers(const YAML::Node& node, const std::string& field, std::size_t size) {
-  if (!node || !node.IsSequence() || node.size() != size)
-    throw std::runtime_error("'" + field + "' is not a list of " + std::to_string(size) + " numbers");
-  Numbers result;
-  for (const YAML::Node& element : node) result.push_back(number(element, field));
-  return result;
-}
-
-Eigen::Vector3d unitVector(const YAML::Node& node, const std::string& field) {
-  const Numbers n = numbers(node, field, 3);
-  const Eigen::Vector3d v(n[0], n[1], n[2]);
-  if (std::abs(v.norm() - 1) > kUnitTolerance) throw std::runtime_error("'" + field + "' is not of unit length");
-  return v.normalized();
-}
-
-Eigen::Isometry3d pose(const double* n, const std::string& field) {
-  const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
-  if (std::abs(q.norm() - 1) > kUnitTolerance) throw std::runtime_error("'" + field + "' has no unit quaternion");
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = q.normalized().toRotationMatrix();
-  pose.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
-  requireWithin(field.c_str(), pose.translation(), limits::kFromOrigin);
-  return pose;
-}
-
-Matrix6d covariance(const double* n) {
-  Matrix6d covariance;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) covariance(i, j) = covariance(j, i) = *n++;
-  return covariance;
-}
-
-double within(const YAML::Node& node, const char* field, const Limit& limit) {
-  const double value = number(node, field);
-  requireWithin(field, value, limit);
-  return value;
-}
-
-double side(const YAML::Node& node, const char* field) {
-  const double value = number(node, field);
-  requireSideOrUnknown(field, value);
   return value;
 }
 
@@ -179,6 +78,60 @@ TrackedObservation observationFromYaml(const YAML::Node& node) {
   return observation;
 }
 
+void readJoint(const YAML::Node& node, LearnedModel* model) {
+  model->type = typeFromName(node["type"]);
+  // Types that are younger than a file have no probability in it.
+  const std::size_t types = modelRegistry().size();
+  model->probabilities = numbers(node["probabilities"], "probabilities", std::min(types, node["probabilities"].size()));
+  for (const double probability : model->probabilities) requireWithin("probabilities", probability, limits::kProbability);
+  model->probabilities.resize(types, 0);
+  model->origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");
+  model->axis = unitVector(node["axis"], "axis");
+  const Numbers point = numbers(node["axis_point"], "axis_point", 3);
+  model->axis_point = Eigen::Vector3d(point[0], point[1], point[2]);
+  requireWithin("axis_point", model->axis_point, limits::kFromOrigin);
+  if (node["curve"]) requireAtMost("poses in 'curve'", node["curve"].size(), limits::kMostEntries);
+  for (const YAML::Node& entry : node["curve"]) model->curve.push_back(pose(numbers(entry, "curve", kPose).data(), "curve"));
+  model->radius = within(node["radius"], "radius", limits::kRadius);
+  if (node["pitch"]) model->pitch = within(node["pitch"], "pitch", limits::kConfiguration);  // older files have none
+  model->covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
+}
+
+void readRange(const YAML::Node& node, LearnedModel* model) {
+  model->q = within(node["q"], "q", limits::kConfiguration);
+  model->q_min = within(node["q_min"], "q_min", limits::kConfiguration);
+  model->q_max = within(node["q_max"], "q_max", limits::kConfiguration);
+  if (model->q_min > model->q_max) throw std::runtime_error("'q_min' is more than 'q_max'");
+  model->q_min_is_end = flag(node["q_min_is_end"], "q_min_is_end");
+  model->q_max_is_end = flag(node["q_max_is_end"], "q_max_is_end");
+}
+
+void readQuality(const YAML::Node& node, LearnedModel* model) {
+  // An older file tells no support, but was written of what had been seen often.
+  model->support = node["support"] ? count(node["support"], "support", kLargestId) : kObservationsOfOlderFiles;
+  if (node["doubt"]) model->doubt = within(node["doubt"], "doubt", limits::kShare);
+  model->position_error = within(node["position_error"], "position_error", limits::kError);
+  model->orientation_error = within(node["orientation_error"], "orientation_error", limits::kError);
+  constexpr int kMost = std::numeric_limits<int>::max();
+  model->observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", kMost));
+  for (const auto& entry : node["params"]) {
+    if (isField(entry.first.Scalar())) continue;
+    const Numbers param = numbers(entry.second, "params", 2);
+    requireWithin("a param's kind", param[1], {ModelParam::kPrior, ModelParam::kEval, "(Param.msg names them)"});
+    model->params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
+  }
+}
+
+std::vector<TrackedObservation> readObservations(const YAML::Node& node) {
+  std::vector<TrackedObservation> observations;
+  for (const YAML::Node& entry : node) observations.push_back(observationFromYaml(entry));
+  if (observations.empty()) throw std::runtime_error("'observations' is missing or empty");
+  const auto earlier = [](const TrackedObservation& a, const TrackedObservation& b) { return a.stamp < b.stamp; };
+  if (!std::is_sorted(observations.begin(), observations.end(), earlier))
+    throw std::runtime_error("'observations' are not in the order of their times");
+  return observations;
+}
+
 }  // namespace
 
 YAML::Node toYaml(const KnownFront& front) {
@@ -195,6 +148,7 @@ YAML::Node toYaml(const KnownFront& front) {
   node["axis_point"] = list(model.axis_point);
   for (const Eigen::Isometry3d& pose : model.curve) node["curve"].push_back(list(pose));
   const std::pair<const char*, double> scalars[] = {{"radius", model.radius},
+                                                    {"pitch", model.pitch},
                                                     {"q", model.q},
                                                     {"q_min", model.q_min},
                                                     {"q_max", model.q_max},
@@ -218,49 +172,16 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   LearnedModel& model = front.model;
   model.id = count(node["id"], "id", kLargestId);
   model.moved = model.explained = true;
-  model.type = typeFromName(node["type"]);
   model.stamp = checkedStamp(number(node["stamp"], "stamp"), "stamp");
-  // An older file tells no support, but was written of what had been seen often.
-  model.support = node["support"] ? count(node["support"], "support", kLargestId) : kObservationsOfOlderFiles;
-  if (node["doubt"]) model.doubt = within(node["doubt"], "doubt", limits::kShare);
-  model.probabilities = numbers(node["probabilities"], "probabilities", modelRegistry().size());
-  for (const double probability : model.probabilities) requireWithin("probabilities", probability, limits::kProbability);
-  model.origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");
-  model.axis = unitVector(node["axis"], "axis");
-  const Numbers point = numbers(node["axis_point"], "axis_point", 3);
-  model.axis_point = Eigen::Vector3d(point[0], point[1], point[2]);
-  requireWithin("axis_point", model.axis_point, limits::kFromOrigin);
-  if (node["curve"]) requireAtMost("poses in 'curve'", node["curve"].size(), limits::kMostEntries);
-  for (const YAML::Node& entry : node["curve"]) model.curve.push_back(pose(numbers(entry, "curve", kPose).data(), "curve"));
-  model.radius = within(node["radius"], "radius", limits::kRadius);
-  model.q = within(node["q"], "q", limits::kConfiguration);
-  model.q_min = within(node["q_min"], "q_min", limits::kConfiguration);
-  model.q_max = within(node["q_max"], "q_max", limits::kConfiguration);
-  if (model.q_min > model.q_max) throw std::runtime_error("'q_min' is more than 'q_max'");
-  model.q_min_is_end = flag(node["q_min_is_end"], "q_min_is_end");
-  model.q_max_is_end = flag(node["q_max_is_end"], "q_max_is_end");
+  readJoint(node, &model);
+  readRange(node, &model);
   model.width = side(node["width"], "width");
   model.height = side(node["height"], "height");
-  model.position_error = within(node["position_error"], "position_error", limits::kError);
-  model.orientation_error = within(node["orientation_error"], "orientation_error", limits::kError);
-  model.covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
-  constexpr int kMost = std::numeric_limits<int>::max();
-  model.observations = static_cast<int>(count(node["number_of_observations"], "number_of_observations", kMost));
-  for (const auto& entry : node["params"]) {
-    if (isField(entry.first.Scalar())) continue;
-    const Numbers param = numbers(entry.second, "params", 2);
-    requireWithin("a param's kind", param[1], {ModelParam::kPrior, ModelParam::kEval, "(Param.msg names them)"});
-    model.params.push_back({entry.first.Scalar(), param[0], static_cast<ModelParam::Kind>(param[1])});
-  }
+  readQuality(node, &model);
   front.track.id = model.id;
   front.track.width = model.width;
   front.track.height = model.height;
-  for (const YAML::Node& entry : node["observations"]) front.track.observations.push_back(observationFromYaml(entry));
-  const std::vector<TrackedObservation>& observations = front.track.observations;
-  if (observations.empty()) throw std::runtime_error("'observations' is missing or empty");
-  const auto earlier = [](const TrackedObservation& a, const TrackedObservation& b) { return a.stamp < b.stamp; };
-  if (!std::is_sorted(observations.begin(), observations.end(), earlier))
-    throw std::runtime_error("'observations' are not in the order of their times");
+  front.track.observations = readObservations(node["observations"]);
   return front;
 }
 

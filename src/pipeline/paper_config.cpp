@@ -67,7 +67,7 @@ TrackingConfig paperTracking() {
 /// thinned out. Short, narrow, restless or interrupted motions are doubted by our learner whatever the settings.
 ArticulationConfig paperArticulation() {
   ArticulationConfig config;
-  config.nonparametric = false;
+  config.joint_types = "rigid prismatic rotational";
   config.sigma_position = config.sigma_position_floor = config.sigma_plane = 0.01;  // library
   config.sigma_orientation = config.sigma_orientation_floor = 0.1;                  // library, with a camera
   config.degrees_of_freedom = config.sequence_degrees_of_freedom = 1000;            // Eq. (9): Gaussian

@@ -238,7 +238,7 @@ TEST(JointEvidence, ThatIsDoubtedIsRememberedSoAndThenGivenUp) {
 
 TEST(JointEvidence, NeedsNoModelThatStandsStill) {
   ArticulationConfig config;
-  config.rigid = false;
+  config.joint_types = "prismatic rotational nonparametric";
   SyntheticFront front = drawer();
   front.noise = 0.001;
   EXPECT_GT(learn(reported(syntheticTrack(front), 0.001, 0.01), config).support, 0);

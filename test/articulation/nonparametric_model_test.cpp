@@ -141,7 +141,7 @@ TEST(NonparametricModel, IsNotAskedWhereAJointExplainsTheMotion) {
 
 TEST(NonparametricModel, IsNoCandidateWhenDisabled) {
   ArticulationConfig config;
-  config.nonparametric = false;
+  config.joint_types = "rigid prismatic rotational";
   for (const LearnedModel& model : fitAllModels(slidingAndTurningTrack(0.004, 1), config)) {
     EXPECT_NE(model.type, JointType::kNonparametric);
     EXPECT_EQ(model.probabilities.at(3), 0);

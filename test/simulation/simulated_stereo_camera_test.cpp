@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -278,12 +278,12 @@ TEST(SimulatedStereoCamera, RendersAPairInTime) {
   SimulatedStereoCamera camera(configOf("kitchen"));
   double best = 1e9;
   for (int i = 0; i < 10; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     camera.frame(55 + i);
-    best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, 1000. * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   std::cout << "kitchen: " << best << " ms per pair of 640x480\n";
-  // 15 Hz are 67 ms; some 20 ms are usual. The bound leaves room for a busy machine.
+  // Of the processor, which other programs may share. 15 Hz are 67 ms; some 20 ms are usual.
   EXPECT_LT(best, 200);
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "cabinet_articulation/config/config.h"
 
 namespace cabinet_articulation::core {
 
 /// "measured" below: on 105 logs of real doors and drawers whose types are known.
 struct ArticulationConfig {
-  bool rigid = true;
-  bool prismatic = true;
-  bool rotational = true;
-  bool nonparametric = true;
+  std::string joint_types = "all";
 
   double sigma_position = 0.01;
   double sigma_orientation = 0.1;
@@ -43,10 +42,8 @@ struct ArticulationConfig {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit("rigid", self.rigid, "candidate: the front does not move");
-    visit("prismatic", self.prismatic, "candidate: the front moves along a line");
-    visit("rotational", self.rotational, "candidate: the front turns about an axis");
-    visit("nonparametric", self.nonparametric, "candidate: the front follows a smooth curve that no joint explains");
+    visit("joint_types", self.joint_types, Choices{},
+          "candidates: all, or the names of some (doc/conventions.md) with spaces between");
     visit("sigma_position", self.sigma_position, Range{1e-4, 1}, "m", "position noise of Eq. (9) (original release: 0.01)");
     visit("sigma_orientation", self.sigma_orientation, Range{1e-3, 100}, "rad",
           "orientation noise of Eq. (9) (original release: 0.1 with a camera)");

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "articulation/learner/front_learner.h"
+#include "articulation/models/model_registry.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -65,6 +66,7 @@ void ArticulationLearner::State::keep(const LearnedModel& model) {
 
 ArticulationLearner::ArticulationLearner(const ArticulationConfig& config) : config_(config), state_(std::make_unique<State>()) {
   checkConfig(config);
+  chosenModels(config);
 }
 
 ArticulationLearner::~ArticulationLearner() = default;

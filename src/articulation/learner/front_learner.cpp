@@ -46,8 +46,7 @@ void FrontLearner::remember(const LearnedModel& joint) {
 
 void FrontLearner::startAnew() {
   models_.clear();
-  for (const ModelEntry& entry : modelRegistry())
-    if (config_.*entry.enabled) models_.push_back(entry.create(config_));
+  for (const ModelEntry* entry : chosenModels(config_)) models_.push_back(entry->create(config_));
   reference_search_.reset();
   reference_chosen_at_ = 0;
   comparison_ = JointTypeComparison(config_);
@@ -232,12 +231,8 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
   learned.width = front_.width;
   learned.height = front_.height;
   learned.observations = static_cast<int>(observations_.size());
-  describeGeometry(candidate, reference_.offset(front_.width, front_.height), &learned);
   learned.q = candidate.model->configuration(poses_.poses.back());
-  describeRange(candidate, spaced_.stamps, &learned);
-  if (learned.moved || !candidate.model->moves())
-    learned.covariance = candidate.model->covariance(spaced_, learned.origin.translation(), candidate.memory);
-  describeFit(candidate, spaced_, config_, &learned);
+  describeJoint(candidate, spaced_, reference_.offset(front_.width, front_.height), config_, &learned);
   return learned;
 }
 

@@ -7,6 +7,7 @@
 #include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {
+namespace {
 
 void describeGeometry(const Candidate& candidate, const Eigen::Vector3d& reference, LearnedModel* learned) {
   const ArticulationModel& model = *candidate.model;
@@ -16,6 +17,7 @@ void describeGeometry(const Candidate& candidate, const Eigen::Vector3d& referen
   for (Eigen::Isometry3d& pose : learned->curve) pose.translate(-reference);
   const JointGeometry geometry = model.geometry();
   learned->axis = geometry.axis;
+  learned->pitch = geometry.pitch;
   if (geometry.radius == 0) return;
   const Eigen::Vector3d away = learned->origin.translation() - geometry.axis_point;
   learned->axis_point = geometry.axis_point + geometry.axis * geometry.axis.dot(away);
@@ -60,6 +62,17 @@ void describeFit(const Candidate& candidate, const PoseSequence& track, const Ar
   add("evidence", candidate.evidence);
   add("correlation", candidate.correlation);
   add("bic", -2 * candidate.log_likelihood + parameters * std::log(n));
+}
+
+}  // namespace
+
+void describeJoint(const Candidate& candidate, const PoseSequence& track, const Eigen::Vector3d& reference,
+                   const ArticulationConfig& config, LearnedModel* learned) {
+  describeGeometry(candidate, reference, learned);
+  describeRange(candidate, track.stamps, learned);
+  if (learned->moved || !candidate.model->moves())
+    learned->covariance = candidate.model->covariance(track, learned->origin.translation(), candidate.memory);
+  describeFit(candidate, track, config, learned);
 }
 
 }  // namespace cabinet_articulation::core

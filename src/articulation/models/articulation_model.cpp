@@ -7,15 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "articulation/paths/arc.h"
+
 namespace cabinet_articulation::core {
 namespace {
-
-Eigen::Vector3d rotationVector(const Eigen::Matrix3d& rotation) {
-  Eigen::Quaterniond q(rotation);
-  if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const double sine = q.vec().norm();
-  return sine < 1e-12 ? Eigen::Vector3d(2 * q.vec()) : Eigen::Vector3d(2 * std::atan2(sine, q.w()) / sine * q.vec());
-}
 
 double pathLength(const ArticulationModel& model, double q_min, double q_max) {
   constexpr int kSteps = 8;
@@ -108,7 +103,8 @@ ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
     const Eigen::Isometry3d predicted = predict(residuals.q.back());
     Eigen::Vector3d position = track.poses[i].translation() - predicted.translation();
     Eigen::Vector3d orientation = Eigen::Vector3d::Zero();
-    if (track.has_orientation) orientation = rotationVector(track.poses[i].linear() * predicted.linear().transpose());
+    if (track.has_orientation)
+      orientation = rotationVector(Eigen::Quaterniond(track.poses[i].linear() * predicted.linear().transpose()));
     double displaced = position.norm() / config_.sigma_position, turned = orientation.norm() / config_.sigma_orientation;
     if (weighted) {
       position = track.position_weights[i] * position;

@@ -20,6 +20,7 @@ struct JointGeometry {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< unit; direction of growing q, or of the right-handed turn
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();  ///< rotational: of the axis, nearest to the observed point
   double radius = 0;                                     ///< [m] from the axis to the observed point; 0: nothing turns
+  double pitch = 0;                                      ///< [m/rad] advance along the axis while it turns
 };
 
 /// How far a track is from a model, pose by pose.

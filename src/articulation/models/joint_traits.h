@@ -24,6 +24,7 @@ struct JointTraits {
   /// a motion.
   bool is_parametric;
   bool turns;                  ///< about the axis through LearnedModel::axis_point
+  bool is_hinge;               ///< the axis lies in the front's plane, at one of its edges
   UrdfJoint urdf;              ///< kNone: URDF has no such joint
   std::array<float, 3> color;  ///< of its markers: red, green, blue from 0 to 1
 };

@@ -22,7 +22,7 @@ class KnownJoint : public ArticulationModel {
   double configuration(const Eigen::Isometry3d& pose) const override {
     return joint_.configuration(pose * Eigen::Translation3d(-reference_));
   }
-  JointGeometry geometry() const override { return {joint_.axis, joint_.axis_point, joint_.radius}; }
+  JointGeometry geometry() const override { return {joint_.axis, joint_.axis_point, joint_.radius, joint_.pitch}; }
   Matrix6d covariance(const PoseSequence&, const Eigen::Vector3d&, double) const override { return joint_.covariance; }
   std::vector<ModelParam> parameters() const override { return {}; }
   SequenceProgress sequenceLogLikelihood(const PoseSequence&, const WorkBudget&, std::optional<double>) override { return {}; }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/models/model_registry.h"
 
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+
 #include "articulation/models/nonparametric_model.h"
 #include "articulation/models/prismatic_model.h"
 #include "articulation/models/rigid_model.h"
@@ -10,11 +15,11 @@ namespace cabinet_articulation::core {
 namespace {
 
 template <class Model>
-ModelEntry entry(bool ArticulationConfig::*enabled) {
+ModelEntry entry() {
   const auto create = [](const ArticulationConfig& config) -> std::unique_ptr<ArticulationModel> {
     return std::make_unique<Model>(config);
   };
-  return {{Model::kTraits},         enabled,       create, Model::predictLearned, Model::configurationOfLearned,
+  return {{Model::kTraits},         create,        Model::predictLearned, Model::configurationOfLearned,
           Model::jacobianOfLearned, Model::example};
 }
 
@@ -22,12 +27,27 @@ ModelEntry entry(bool ArticulationConfig::*enabled) {
 
 const std::vector<ModelEntry>& modelRegistry() {
   static const std::vector<ModelEntry> registry{
-      entry<RigidModel>(&ArticulationConfig::rigid),
-      entry<PrismaticModel>(&ArticulationConfig::prismatic),
-      entry<RotationalModel>(&ArticulationConfig::rotational),
-      entry<NonparametricModel>(&ArticulationConfig::nonparametric),
+      entry<RigidModel>(),
+      entry<PrismaticModel>(),
+      entry<RotationalModel>(),
+      entry<NonparametricModel>(),
   };
   return registry;
+}
+
+std::vector<const ModelEntry*> chosenModels(const ArticulationConfig& config) {
+  std::istringstream text(config.joint_types);
+  std::set<std::string> names{std::istream_iterator<std::string>(text), {}};
+  const bool all = names.erase("all") > 0;
+  std::vector<const ModelEntry*> chosen;
+  std::string known;
+  for (const ModelEntry& entry : modelRegistry()) {
+    if (names.erase(entry.name) > 0 || all) chosen.push_back(&entry);
+    known += std::string(" ") + entry.name;
+  }
+  if (!names.empty() || chosen.empty())
+    throw ConfigError("setting 'joint_types' is '" + config.joint_types + "', expected all or some of" + known);
+  return chosen;
 }
 
 const ModelEntry& modelEntry(JointType type) { return modelRegistry().at(static_cast<std::size_t>(type)); }

@@ -11,7 +11,6 @@ namespace cabinet_articulation::core {
 
 /// One kind of joint that can be learned.
 struct ModelEntry : JointTraits {
-  bool ArticulationConfig::*enabled;  ///< the setting that makes it a candidate
   std::unique_ptr<ArticulationModel> (*create)(const ArticulationConfig& config);
   /// LearnedModel::predict() and configuration().
   Eigen::Isometry3d (*predict)(const LearnedModel& model, double q);
@@ -26,6 +25,9 @@ struct ModelEntry : JointTraits {
 const std::vector<ModelEntry>& modelRegistry();
 
 const ModelEntry& modelEntry(JointType type);
+
+/// Those that `config.joint_types` names, the simplest first. Throws ConfigError for a name that none has.
+std::vector<const ModelEntry*> chosenModels(const ArticulationConfig& config);
 
 inline const char* modelName(JointType type) { return modelEntry(type).name; }
 

@@ -16,7 +16,8 @@ namespace cabinet_articulation::core {
 class NonparametricModel : public ArticulationModel {
  public:
   static constexpr JointTraits kTraits{JointType::kNonparametric, "nonparametric", ConfigurationUnit::kMetre, /*moves*/ true,
-                                       /*is_parametric*/ false,   /*turns*/ false, UrdfJoint::kNone,          {0.8F, 0.4F, 1.0F}};
+                                       /*is_parametric*/ false,   /*turns*/ false, /*is_hinge*/ false,        UrdfJoint::kNone,
+                                       {0.8F, 0.4F, 1.0F}};
   static constexpr std::size_t kLeastPoses = 8;  ///< fewer are not fitted
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);

@@ -5,7 +5,7 @@
 
 namespace cabinet_articulation::core {
 
-JointGeometry PrismaticModel::geometry() const { return {arc_.tangent(), Eigen::Vector3d::Zero(), 0}; }
+JointGeometry PrismaticModel::geometry() const { return {arc_.tangent(), Eigen::Vector3d::Zero(), 0, 0}; }
 
 Matrix6d PrismaticModel::covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const {
   // The origin's position follows the line's middle across it, and the front's orientation by its lever.

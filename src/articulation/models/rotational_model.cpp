@@ -13,7 +13,7 @@ constexpr double kMetresPerRadian = 0.03;
 
 }  // namespace
 
-JointGeometry RotationalModel::geometry() const { return {arc_.axis(), arc_.center(), arc_.radius()}; }
+JointGeometry RotationalModel::geometry() const { return {arc_.axis(), arc_.center(), arc_.radius(), 0}; }
 
 Matrix6d RotationalModel::covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const {
   const Eigen::Vector3d to_center = arc_.center() - arc_.middle;

@@ -17,6 +17,12 @@ Eigen::Matrix3d rotationFromVector(const Eigen::Vector3d& v) {
   return Eigen::AngleAxisd(angle, v / angle).toRotationMatrix();
 }
 
+Eigen::Vector3d rotationVector(Eigen::Quaterniond q) {
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const double sine = q.vec().norm();
+  return sine < 1e-12 ? Eigen::Vector3d(2 * q.vec()) : Eigen::Vector3d(2 * std::atan2(sine, q.w()) / sine * q.vec());
+}
+
 Eigen::Matrix3d arcFrame(const Eigen::Vector3d& tangent, const Eigen::Vector3d& towards) {
   Eigen::Matrix3d frame;
   frame.col(0) = tangent.normalized();

@@ -43,6 +43,9 @@ double meanArcLength(const Arc& arc, const std::vector<Eigen::Vector3d>& points)
 /// Rotation by the rotation vector v.
 Eigen::Matrix3d rotationFromVector(const Eigen::Vector3d& v);
 
+/// The rotation vector, at most pi long, of a unit quaternion; the inverse of rotationFromVector().
+Eigen::Vector3d rotationVector(Eigen::Quaterniond q);
+
 /// An orthonormal right-handed frame whose first column is `tangent` and whose second leans towards `towards`.
 Eigen::Matrix3d arcFrame(const Eigen::Vector3d& tangent, const Eigen::Vector3d& towards);
 
