@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "articulation/decision/motion_detection.h"
+#include "articulation/fitting/arc_fit.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -90,11 +91,17 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
 void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
   // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
   const bool few = track_.size() < MotionDetector::kFew && !track_.orientation_weights.empty();
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
+  std::vector<std::optional<double>> rivals(candidates.size());
+  const auto look = [&](std::size_t i) {
     ArticulationModel& model = *candidates[i].model;
-    if (!model.moves()) continue;
-    set(i, model, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, WorkBudget::unlimited(), rivalOf(i)));
-  }
+    rivals[i] = rivalOf(i);
+    set(i, model, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, WorkBudget::unlimited(), rivals[i]));
+  };
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i].model->moves()) look(i);
+  // A fit ends early beside a rival that is clearly worse; one that was found since may be closer.
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (rivals[i] && *rivalOf(i) > *rivals[i] + kFineFit) look(i);
 }
 
 /// As many steps as there is time for, of one model after the other where that is not even one for each.

@@ -103,6 +103,7 @@ struct Roles {
 /// Also adds to the evidence of joints what their independent residuals say.
 Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track, const ArticulationConfig& config) {
   Roles roles;
+  double independent = 0;  // [nats] what independent residuals added to the evidence of roles.moving
   for (Candidate& candidate : *candidates) {
     if (!candidate.model->moves()) {
       roles.still = &candidate;
@@ -112,13 +113,16 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
       roles.free = &candidate;
       continue;
     }
+    double added = 0;
     if (roles.moving) {
+      candidate.evidence += independent;
       const double turn_min = track.orientation_weights.empty() ? config.turn_min : 0;
       const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= turn_min);
       if (!bends) candidate.evidence = std::min(candidate.evidence, roles.moving->evidence);
       // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
       const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
-      candidate.evidence += track.has_orientation ? difference : std::min(0.0, difference);
+      added = track.has_orientation ? difference : std::min(0.0, difference);
+      candidate.evidence += added;
       if (explains(*roles.moving, config) && !explains(candidate, config))
         candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
       if (!explains(*roles.moving, config) && explains(candidate, config))
@@ -126,7 +130,9 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
       if (!candidate.plausible && candidate.evidence < roles.moving->evidence + kImplausible)
         candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
     }
-    if (!roles.moving || candidate.evidence > roles.moving->evidence) roles.moving = &candidate;
+    if (roles.moving && candidate.evidence <= roles.moving->evidence) continue;
+    roles.moving = &candidate;
+    independent += added;
   }
   if (!roles.moving) std::swap(roles.moving, roles.free);
   return roles;
