@@ -8,12 +8,22 @@ namespace {
 
 constexpr char kRaw[] = "raw";
 
+/// Held while plugins are loaded, made or given back: class_loader changes lists that all threads share without a lock of its
+/// own. Never destroyed, for subscribers may outlive it at exit.
+std::mutex& plugins() {
+  static auto* const mutex = new std::mutex;
+  return *mutex;
+}
+
 }  // namespace
 
 void requireInstalled(const ros::NodeHandle& nh, const std::string& transport) {
   if (transport == kRaw) return;
+  const std::lock_guard<std::mutex> lock(plugins());
+  // Never destroyed either: its plugins stay loaded, whoever else gives them back.
+  static auto* const transports = new image_transport::ImageTransport(nh);
   std::string installed;
-  for (const std::string& plugin : image_transport::ImageTransport(nh).getLoadableTransports()) {
+  for (const std::string& plugin : transports->getLoadableTransports()) {
     const std::string name = plugin.substr(plugin.rfind('/') + 1);
     if (name == transport) return;
     installed += (installed.empty() ? "" : ", ") + name;
@@ -24,12 +34,22 @@ void requireInstalled(const ros::NodeHandle& nh, const std::string& transport) {
 void WatchedSubscriber::subscribeImage(ros::NodeHandle& nh, const ros::NodeHandle& parameters, const std::string& topic,
                                        const std::string& transport, const CallbackGuard& guard,
                                        const Callback<sensor_msgs::Image>& callback) {
+  // Without a plugin, of which class_loader makes several at a time only with luck.
+  if (transport == kRaw) return subscribe<sensor_msgs::Image>(nh, topic, guard, callback);
   // Remapped here: image_transport appends the transport's name to the topic, and no remapping fits that.
-  const std::string image = nh.resolveName(topic), resolved = image + (transport == kRaw ? "" : "/" + transport);
-  image_transport::ImageTransport images(nh);
+  const std::string image = nh.resolveName(topic), resolved = image + "/" + transport;
+  const std::lock_guard<std::mutex> lock(plugins());
+  if (!transports_) transports_ = std::make_unique<image_transport::ImageTransport>(nh);
   // By default, plugins of all topics in a process have the same services and parameters.
   const image_transport::TransportHints hints(transport, ros::TransportHints().tcpNoDelay(), ros::NodeHandle(parameters, topic));
-  set({{}, images.subscribe(image, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
+  set({{}, transports_->subscribe(image, kQueue, heard<sensor_msgs::Image>(resolved, guard, callback), ros::VoidPtr(), hints)});
+}
+
+WatchedSubscriber::~WatchedSubscriber() {
+  if (!transports_) return;
+  const std::lock_guard<std::mutex> lock(plugins());
+  subscription_ = {};
+  transports_.reset();
 }
 
 std::uint32_t WatchedSubscriber::publishers() const {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,9 @@ class WatchedSubscriber {
  public:
   template <class Message>
   using Callback = std::function<void(const boost::shared_ptr<const Message>&)>;
+
+  WatchedSubscriber() = default;
+  ~WatchedSubscriber();
 
   template <class Message>
   void subscribe(ros::NodeHandle& nh, const std::string& topic, const CallbackGuard& guard, const Callback<Message>& callback) {
@@ -100,7 +104,8 @@ class WatchedSubscriber {
     return subscription_;
   }
 
-  mutable std::mutex mutex_;  ///< guards the next
+  std::unique_ptr<image_transport::ImageTransport> transports_;  ///< of compressed images; has the plugins of `images`
+  mutable std::mutex mutex_;                                     ///< guards the next
   Subscription subscription_;
   std::once_flag named_;
   std::string topic_;
