@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -13,6 +12,8 @@
 
 namespace cabinet_articulation::core {
 namespace {
+
+using namespace yaml;  // NOLINT(google-build-using-namespace): this file alone is made of them
 
 constexpr std::size_t kEdges = 4;
 constexpr std::size_t kObservation = 1 + kPose + 2 + kEdges + kTriangle;
@@ -81,8 +82,10 @@ TrackedObservation observationFromYaml(const YAML::Node& node) {
 void readJoint(const YAML::Node& node, LearnedModel* model) {
   model->type = typeFromName(node["type"]);
   // Types that are younger than a file have no probability in it.
-  const std::size_t types = modelRegistry().size();
-  model->probabilities = numbers(node["probabilities"], "probabilities", std::min(types, node["probabilities"].size()));
+  const std::size_t types = modelRegistry().size(), least = static_cast<std::size_t>(model->type) + 1;
+  const YAML::Node& written = node["probabilities"];
+  const std::size_t count = written && written.IsSequence() ? std::clamp(written.size(), least, types) : types;
+  model->probabilities = numbers(written, "probabilities", count);
   for (const double probability : model->probabilities) requireWithin("probabilities", probability, limits::kProbability);
   model->probabilities.resize(types, 0);
   model->origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");

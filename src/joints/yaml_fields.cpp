@@ -7,7 +7,7 @@
 
 #include "cabinet_articulation/geometry/limits.h"
 
-namespace cabinet_articulation::core {
+namespace cabinet_articulation::core::yaml {
 namespace {
 
 constexpr double kUnitTolerance = 1e-6;
@@ -104,4 +104,4 @@ double side(const YAML::Node& node, const char* field) {
   return value;
 }
 
-}  // namespace cabinet_articulation::core
+}  // namespace cabinet_articulation::core::yaml

@@ -13,7 +13,7 @@
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 
 /// Fields of a model file. All that read throw std::runtime_error or std::invalid_argument with the field's name.
-namespace cabinet_articulation::core {
+namespace cabinet_articulation::core::yaml {
 
 using Numbers = std::vector<double>;
 
@@ -49,4 +49,4 @@ double within(const YAML::Node& node, const char* field, const Limit& limit);
 /// [m] 0: unknown.
 double side(const YAML::Node& node, const char* field);
 
-}  // namespace cabinet_articulation::core
+}  // namespace cabinet_articulation::core::yaml

@@ -8,8 +8,8 @@ namespace {
 
 constexpr char kRaw[] = "raw";
 
-/// Held while plugins are loaded, made or given back: class_loader changes lists that all threads share without a lock of its
-/// own. Never destroyed, for subscribers may outlive it at exit.
+/// Held while plugins are loaded, made or released: class_loader is not safe where several threads do so at once. It protects
+/// stages from one another, not from foreign nodelets in their manager. Never destroyed, for subscribers may outlive it at exit.
 std::mutex& plugins() {
   static auto* const mutex = new std::mutex;
   return *mutex;
@@ -20,7 +20,7 @@ std::mutex& plugins() {
 void requireInstalled(const ros::NodeHandle& nh, const std::string& transport) {
   if (transport == kRaw) return;
   const std::lock_guard<std::mutex> lock(plugins());
-  // Never destroyed either: its plugins stay loaded, whoever else gives them back.
+  // Never destroyed either: it keeps the libraries loaded while subscribers release their plugins.
   static auto* const transports = new image_transport::ImageTransport(nh);
   std::string installed;
   for (const std::string& plugin : transports->getLoadableTransports()) {
@@ -34,7 +34,7 @@ void requireInstalled(const ros::NodeHandle& nh, const std::string& transport) {
 void WatchedSubscriber::subscribeImage(ros::NodeHandle& nh, const ros::NodeHandle& parameters, const std::string& topic,
                                        const std::string& transport, const CallbackGuard& guard,
                                        const Callback<sensor_msgs::Image>& callback) {
-  // Without a plugin, of which class_loader makes several at a time only with luck.
+  // Without a plugin: class_loader is not safe where several threads make plugins at once.
   if (transport == kRaw) return subscribe<sensor_msgs::Image>(nh, topic, guard, callback);
   // Remapped here: image_transport appends the transport's name to the topic, and no remapping fits that.
   const std::string image = nh.resolveName(topic), resolved = image + "/" + transport;

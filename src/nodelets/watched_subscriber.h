@@ -37,8 +37,8 @@ class WatchedSubscriber {
     set({nh.subscribe<Message>(topic, kQueue, heard<Message>(resolved, guard, callback), ros::VoidConstPtr(), hints), {}});
   }
 
-  /// An image by a transport of image_transport that is installed: raw, compressed or compressedDepth. Below `parameters` its
-  /// plugin has its own.
+  /// An image by a transport of image_transport that is installed: raw, compressed or compressedDepth. A plugin has its own
+  /// parameters below `parameters`; raw needs none.
   void subscribeImage(ros::NodeHandle& nh, const ros::NodeHandle& parameters, const std::string& topic,
                       const std::string& transport, const CallbackGuard& guard, const Callback<sensor_msgs::Image>& callback);
 
@@ -93,9 +93,10 @@ class WatchedSubscriber {
     };
   }
 
-  void set(const Subscription& subscription) {
+  /// The one before ends when the lock is free again: `subscription` outlives it.
+  void set(Subscription subscription) {
     std::lock_guard<std::mutex> lock(mutex_);
-    subscription_ = subscription;
+    std::swap(subscription_, subscription);
   }
 
   /// The same subscription. ROS is asked without the lock, for it may wait for a callback that wants it too.

@@ -27,10 +27,9 @@ std::string modelText(const core::LearnedModel& model) {
                             model.explained ? entry.name : "none of these", model.width, model.height, model.observations);
   for (const double probability : model.probabilities) text += format(" %.3f", probability);
   if (entry.moves) text += "\n  axis " + vectorText(model.axis);
-  if (entry.turns)
-    text += " through " + vectorText(model.axis_point) +
-            format(", radius %.3f m, opening %.1f to %.1f deg", model.radius, core::toDegrees(model.q_min),
-                   core::toDegrees(model.q_max));
+  if (entry.turns) text += " through " + vectorText(model.axis_point) + format(", radius %.3f m", model.radius);
+  if (entry.moves && entry.unit == core::ConfigurationUnit::kRadian)
+    text += format(", opening %.1f to %.1f deg", core::toDegrees(model.q_min), core::toDegrees(model.q_max));
   else if (entry.moves)
     text += format(", opening %.3f to %.3f m", model.q_min, model.q_max);
   return text + format("\n  residuals %.1f mm, %.2f deg\n", 1e3 * model.position_error, core::toDegrees(model.orientation_error));

@@ -110,5 +110,24 @@ TEST(BadTracks, RefusesSettingsOutOfRange) {
   EXPECT_THROW(ArticulationLearner{config}, ConfigError);
 }
 
+TEST(BadTracks, RefusesJointTypesThatDoNotExist) {
+  ArticulationConfig config;
+  for (const char* wrong : {"", "door", "all door", "rigid, prismatic", "nonparametric"}) {
+    config.joint_types = wrong;
+    EXPECT_THROW(ArticulationLearner{config}, ConfigError) << wrong;
+  }
+  for (const char* right : {"all", "rigid", " prismatic  rotational ", "all rigid"}) {
+    config.joint_types = right;
+    EXPECT_NO_THROW(ArticulationLearner{config}) << right;
+  }
+}
+
+TEST(BadTracks, LearnsOnlyTheJointTypesThatAreChosen) {
+  ArticulationConfig config;
+  config.joint_types = "rigid prismatic";
+  EXPECT_NE(learn(syntheticTrack(door()), config).type, JointType::kRotational);
+  EXPECT_EQ(fitAllModels(syntheticTrack(door()), config).size(), 2u);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

@@ -23,7 +23,7 @@ class ModelContract : public ::testing::TestWithParam<ModelEntry> {
     front.q_end = truth.q_max;
     ObservationHistory poses(config_);
     poses.update(syntheticTrack(front, [&](double q) { return truth.predict(q); }));
-    return poses.track({1, 0}, 1000);
+    return poses.evenlySpaced({1, 0}, 1000);
   }
 
   ArticulationConfig config_;

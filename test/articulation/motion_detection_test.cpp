@@ -16,7 +16,7 @@ double jitterOf(const Track& track) {
   const ArticulationConfig config;
   ObservationHistory poses(config);
   poses.update(track);
-  return MotionDetector(track, poses.track({}, poses.size()), config).jitter().at(0);
+  return MotionDetector(track, poses.evenlySpaced({}, poses.size()), config).jitter().at(0);
 }
 
 SyntheticFront noisy(double noise) {

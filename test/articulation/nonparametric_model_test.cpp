@@ -115,10 +115,10 @@ TEST(NonparametricModel, GoesOnBeyondWhatWasSeen) {
     NonparametricModel free((ArticulationConfig()));
     ObservationHistory poses((ArticulationConfig()));
     poses.update(garageTrack(0.002, 3, 0, 0.9));
-    EXPECT_TRUE(free.fit(poses.track({}, 1000), WorkBudget::unlimited()));
+    EXPECT_TRUE(free.fit(poses.evenlySpaced({}, 1000), WorkBudget::unlimited()));
     LearnedModel learned;
     learned.type = JointType::kNonparametric;
-    const ModelResiduals residuals = free.residuals(poses.track({}, 1000));
+    const ModelResiduals residuals = free.residuals(poses.evenlySpaced({}, 1000));
     learned.q_min = residuals.q_min;
     learned.q_max = residuals.q_max;
     learned.curve = free.curve(residuals.q_min, residuals.q_max);

@@ -13,6 +13,7 @@ inline core::KnownFront learned(core::LearnedModel model, int observations = 20,
   model.position_error = 0.0012345;
   model.orientation_error = 0.02;
   model.observations = observations;
+  model.pitch = 0.0125;
   model.q_min_is_end = true;
   model.q_max_is_end = false;
   model.probabilities = {0.01, 0.02, 0.94, 0.03};

@@ -54,8 +54,8 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
     EXPECT_TRUE(after.covariance.isApprox(before.covariance, 1e-9));
     EXPECT_EQ(after.curve.size(), before.curve.size());
     for (const auto& field :
-         {&LearnedModel::radius, &LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max, &LearnedModel::width,
-          &LearnedModel::height, &LearnedModel::position_error, &LearnedModel::orientation_error})
+         {&LearnedModel::radius, &LearnedModel::pitch, &LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max,
+          &LearnedModel::width, &LearnedModel::height, &LearnedModel::position_error, &LearnedModel::orientation_error})
       EXPECT_NEAR(after.*field, before.*field, 1e-10);
     EXPECT_EQ(after.params.size(), 2u);
     EXPECT_EQ(after.params[1].name, "q_min[0]");
@@ -81,6 +81,15 @@ TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
   damage("    q_min_is_end: true\n", "");
   EXPECT_FALSE(readModelFile(path_).fronts.at(0).model.q_min_is_end);
+}
+
+TEST_F(ModelFiles, OlderThanAJointTypeGiveItNoProbability) {
+  saveModelFile(path_, {"map", {learned(test::doorModel())}});
+  damage("probabilities: [0.01, 0.02, 0.94, 0.03]", "probabilities: [0.01, 0.02, 0.97]");
+  damage("    pitch: 0.0125\n", "");
+  const LearnedModel loaded = readModelFile(path_).fronts.at(0).model;
+  EXPECT_EQ(loaded.probabilities, (std::vector<double>{0.01, 0.02, 0.97, 0}));
+  EXPECT_EQ(loaded.pitch, 0);
 }
 
 TEST_F(ModelFiles, OlderThanDoubtKnowOfNone) {
@@ -190,6 +199,9 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
       {{"q_min_is_end: true", "q_min_is_end: 3"}, "'q_min_is_end' is neither true nor false"},
       {{"axis: [0, 1, 0]", "axis: [0, 2, 0]"}, "'axis' is not of unit length"},
       {{"axis: [0, 1, 0]", "axis: [0, 1]"}, "'axis' is not a list of 3 numbers"},
+      {{"probabilities: [0.01, 0.02, 0.94, 0.03]", "probabilities: [0.01, 0.99]"}, "'probabilities' is not a list of 3 numbers"},
+      {{"probabilities: [0.01, 0.02, 0.94, 0.03]", "probabilities: 1"}, "'probabilities' is not a list of 4 numbers"},
+      {{"probabilities:", "others:"}, "'probabilities' is not a list of 4 numbers"},
       {{"origin: [", "origin: [1, "}, "'origin' is not a list of 7 numbers"},
       {{"frame: map", "fram: map"}, "'frame' or 'fronts' is missing"},
       {{"observations:\n", "remarks:\n"}, "'observations' is missing or empty"},

@@ -10,6 +10,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -382,11 +383,12 @@ TEST_F(ProcessBagTopics, ARawPairOfARegionOfTheSensor) {
   const auto door = [this] {
     const std::vector<Rectangle> found = rectangles();
     const auto rectangle = std::find_if(found.begin(), found.end(), isDoor);
-    return rectangle == found.end() ? Rectangle() : *rectangle;
+    return rectangle == found.end() ? std::optional<Rectangle>() : *rectangle;
   };
   addPair("/stereo/left/", "/stereo/right/", "image_raw");
   expectFrame("");
-  const geometry_msgs::Point ideal = door().pose.pose.position;
+  const auto ideal = door();
+  ASSERT_TRUE(ideal);
 
   bag_.open(path("in.bag"), rosbag::bagmode::Write);
   const cv::Rect roi(40, 20, 560, 440);
@@ -402,10 +404,11 @@ TEST_F(ProcessBagTopics, ARawPairOfARegionOfTheSensor) {
     add(right ? "/stereo/right/camera_info" : "/stereo/left/camera_info", info);
   }
   expectFrame("");
-  const geometry_msgs::Point seen = door().pose.pose.position;
-  EXPECT_NEAR(seen.x, ideal.x, 0.002);
-  EXPECT_NEAR(seen.y, ideal.y, 0.002);
-  EXPECT_NEAR(seen.z, ideal.z, 0.002);
+  const auto seen = door();
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->pose.pose.position.x, ideal->pose.pose.position.x, 0.002);
+  EXPECT_NEAR(seen->pose.pose.position.y, ideal->pose.pose.position.y, 0.002);
+  EXPECT_NEAR(seen->pose.pose.position.z, ideal->pose.pose.position.z, 0.002);
 }
 
 /// As drivers make it: the colour camera's intrinsics, rows and columns that no depth pixel falls on, and nothing beside the

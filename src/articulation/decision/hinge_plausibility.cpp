@@ -6,7 +6,8 @@
 
 namespace cabinet_articulation::core {
 
-bool isNoHinge(const Candidate& candidate, const Track& front, const Eigen::Isometry3d& T_reference_center, double sigma_edge) {
+bool isImplausibleHinge(const Candidate& candidate, const Track& front, const Eigen::Isometry3d& T_reference_center,
+                        double sigma_edge) {
   constexpr double kExtents = 0.75;     // half of the diagonal of a square, and some
   constexpr double kRoundThing = 0.25;  // [m] small enough for a bottle, whose faces turn about its middle
   if (!candidate.model->traits().is_hinge) return false;

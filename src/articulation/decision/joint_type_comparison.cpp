@@ -99,7 +99,7 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
   };
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (candidates[i].model->moves()) look(i);
-  // A fit ends early beside a rival that is clearly worse; one that was found since may be closer.
+  // A fit ends early beside a rival that is clearly worse; one that was found since may be closer. The first had no rival.
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (rivals[i] && *rivalOf(i) > *rivals[i] + kFineFit) look(i);
 }

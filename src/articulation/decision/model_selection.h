@@ -3,26 +3,10 @@
 
 #include <vector>
 
+#include "articulation/decision/candidate.h"
 #include "articulation/decision/motion_detection.h"
-#include "articulation/models/articulation_model.h"
 
 namespace cabinet_articulation::core {
-
-/// A fitted model with what selection found out about it.
-struct Candidate {
-  ArticulationModel* model = nullptr;
-  ModelResiduals residuals;
-  double log_likelihood = 0;  ///< Eq. (10)
-  /// The same as if planes that report how certain they are erred by sigma_position, not sigma_plane: those that stand still
-  /// do while they take in parts of what comes out of them.
-  double cautious_log_likelihood = 0;
-  double evidence = 0;        ///< of models that move: sequence log-likelihood less the penalty for complexity
-  double correlation = 0;     ///< of one position residual with the next
-  double memory = 0;          ///< correlation with the next of a sequence whose mean is as uncertain as that of the residuals
-  double outlier_share = 0;   ///< poses farther than 3 standard deviations
-  double mean_deviation = 0;  ///< of the poses, in standard deviations
-  bool plausible = true;      ///< false: no joint of this front can be there, so that nothing moves that looks like it
-};
 
 /// Which candidate describes the track, and how sure that is.
 struct Selection {
@@ -32,13 +16,6 @@ struct Selection {
   bool moved = false;                 ///< a model that moves is more probable, and the motion is no jitter
   bool explained = true;              ///< false: moved, but no candidate describes how
 };
-
-/// Residuals and likelihoods of a fitted model.
-Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track, const ArticulationConfig& config);
-
-/// Whether the track is what this model says, but for some poses. The noise of real tracks is slow, so that no less than
-/// centimetres tell.
-bool explains(const Candidate& candidate, const ArticulationConfig& config);
 
 /**
  * The best model, Eq. (11), in two steps, because residuals of real tracks follow one another so strongly that as

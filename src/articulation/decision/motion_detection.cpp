@@ -7,13 +7,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "articulation/models/nonparametric_model.h"
 #include "articulation/observations/observation_covariance.h"
 
 namespace cabinet_articulation::core {
 namespace {
-
-static_assert(NonparametricModel::kLeastPoses > MotionDetector::kFew, "a free curve is no evidence for motion in a few poses");
 
 constexpr std::size_t kTriples = 200;
 constexpr double kArmWidth = 0.09;        ///< [m] what is narrower may be an arm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/fitting/arc_fit.h"
 
-#include "articulation/fitting/arc_fitter.h"
+#include "articulation/fitting/arc_fit_iteration.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -10,7 +10,7 @@ template <bool kWithOrientation>
 ArcFit fitted(const PoseSamples& samples, PathShape shape, const ArcFit& start, const FitEffort& effort,
               const ArticulationConfig& config) {
   IndependentNoise noise(config, start.position_scale, start.orientation_scale);
-  const auto result = ArcFitter<kWithOrientation>(samples, config).fit(start.arc, shape, &noise, effort);
+  const auto result = ArcFitIteration<kWithOrientation>(samples, config).fit(start.arc, shape, &noise, effort);
   return {result.arc, noise.noise().position, noise.noise().orientation, result.cost};
 }
 
@@ -26,7 +26,7 @@ template <bool kWithOrientation>
 SequenceFit fittedSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& start,
                            const FitEffort& effort, const ArticulationConfig& config) {
   SequenceNoise noise(samples, start.noise, fit.position_scale, fit.orientation_scale);
-  const auto result = ArcFitter<kWithOrientation>(samples, config).fit(start.arc, shape, &noise, effort);
+  const auto result = ArcFitIteration<kWithOrientation>(samples, config).fit(start.arc, shape, &noise, effort);
   const bool settled = effort.steps > 0 ? result.settled || !effort.continues : start.settled;
   return {result.arc, -result.cost, noise.noise(), settled};
 }
@@ -34,7 +34,7 @@ SequenceFit fittedSequence(const PoseSamples& samples, PathShape shape, const Ar
 template <bool kWithOrientation>
 Eigen::MatrixXd covarianceOf(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const ArticulationConfig& config) {
   const Curvature curvature = shape == PathShape::kLine ? Curvature::kFixed : Curvature::kFree;
-  const Eigen::MatrixXd information = ArcFitter<kWithOrientation>(samples, config).information(fit, curvature);
+  const Eigen::MatrixXd information = ArcFitIteration<kWithOrientation>(samples, config).information(fit, curvature);
   // A line does not know its own frame's rotation about itself: the pseudo-inverse gives such directions no variance.
   return information.completeOrthogonalDecomposition().pseudoInverse();
 }

@@ -33,7 +33,7 @@ double relativeNoise(const PoseSamples& samples, const Arc& arc, const Articulat
 
 }  // namespace
 
-bool ReferenceSearch::advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget) {
+bool ReferencePointSearch::advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget) {
   // Corners turn about a hinge as the middles of edges do.
   static const std::vector<ReferencePoint> kPoints{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}};
   do {
@@ -47,13 +47,13 @@ bool ReferenceSearch::advance(const ObservationHistory& poses, double width, dou
 }
 
 /// Then the centre is as good as any other point.
-bool ReferenceSearch::isSteady(const ObservationHistory& poses, double width, double height) const {
+bool ReferencePointSearch::isSteady(const ObservationHistory& poses, double width, double height) const {
   const bool unknown = width <= 0 || height <= 0 || poses.size() < 3;
   return unknown || (poses.size() >= kEarly && poses.sizeDeviation() < kSteadySize);
 }
 
-void ReferenceSearch::lookAt(const ReferencePoint& point, const ObservationHistory& poses, double width, double height) {
-  PoseSamples samples(poses.track(point, kComparedPoses));
+void ReferencePointSearch::lookAt(const ReferencePoint& point, const ObservationHistory& poses, double width, double height) {
+  PoseSamples samples(poses.evenlySpaced(point, kComparedPoses));
   samples.hinge = {};  // the wide arc that stands for a drawer has none
   const Arc start = options_.empty() ? bestCircleStart(samples, config_) : center_arc_.shifted(point.offset(width, height));
   const ArcFit fit = fitArc(samples, PathShape::kCircle, {start}, FitEffort::fresh(kRoughFit), config_);
@@ -61,7 +61,7 @@ void ReferenceSearch::lookAt(const ReferencePoint& point, const ObservationHisto
   options_.push_back({point, relativeNoise(samples, fit.arc, config_)});
 }
 
-ReferencePoint ReferenceSearch::best(const ReferencePoint* preferred) const {
+ReferencePoint ReferencePointSearch::best(const ReferencePoint* preferred) const {
   if (options_.empty()) return {};
   const auto quieter = [](const Option& a, const Option& b) { return a.noise < b.noise; };
   const auto best = std::min_element(options_.begin(), options_.end(), quieter);

@@ -13,9 +13,9 @@ namespace cabinet_articulation::core {
 /// point far from the hinge is seen better than the centre, half of whose error comes from the edge at the hinge). The centre
 /// where the size hardly varies, once the front was seen more than a few times. One point at a time, so that a track that goes
 /// on need not wait.
-class ReferenceSearch {
+class ReferencePointSearch {
  public:
-  explicit ReferenceSearch(const ArticulationConfig& config) : config_(config) {}
+  explicit ReferencePointSearch(const ArticulationConfig& config) : config_(config) {}
 
   /// Looks at the points of a front of the given size, one in a call if the budget is limited. True when none is left.
   bool advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget);

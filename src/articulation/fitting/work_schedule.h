@@ -43,7 +43,7 @@ class WorkSchedule {
 
   bool isEverything() const { return everything_; }
 
-  /// For the fit of one joint, and for one point in the search for the reference point.
+  /// For the fit of one joint: steps of an arc, or one round of a curve. The search for the reference point looks at one point.
   WorkBudget fit(std::size_t poses) const { return budget(kFitWork, poses); }
 
   /// For the comparison of joint types, all joints together.

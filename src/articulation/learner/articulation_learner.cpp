@@ -66,7 +66,7 @@ void ArticulationLearner::State::keep(const LearnedModel& model) {
 
 ArticulationLearner::ArticulationLearner(const ArticulationConfig& config) : config_(config), state_(std::make_unique<State>()) {
   checkConfig(config);
-  chosenModels(config);
+  chosenModels(config);  // throws for a wrong name now, not at the first front
 }
 
 ArticulationLearner::~ArticulationLearner() = default;

@@ -176,7 +176,7 @@ void FrontLearner::learn(const Track& track) {
   chooseReference(track);
   poses_ = observations_.runs(reference_, JointTypeComparison::kRunPoses);
   poses_.outline = observations_.outline(reference_, track.width, track.height);
-  spaced_ = observations_.track(reference_, static_cast<std::size_t>(config_.poses_max));
+  spaced_ = observations_.evenlySpaced(reference_, static_cast<std::size_t>(config_.poses_max));
   spaced_.outline = poses_.outline;
   candidates_.clear();
   fitModels(spaced_, true);
@@ -190,7 +190,7 @@ void FrontLearner::learn(const Track& track) {
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
   for (Candidate& candidate : candidates_)
-    candidate.plausible = !is_rectangle || !isNoHinge(candidate, front_, T_reference_center, config_.sigma_edge);
+    candidate.plausible = !is_rectangle || !isImplausibleHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   const Candidate* moving = bestMoving(candidates_);
   if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
   selection_ = selectModel(&candidates_, spaced_, asked, rested ? JointEvidence::kPriorOdds : kLogOdds, config_);

@@ -60,7 +60,7 @@ class FrontLearner {
   ObservationHistory observations_;
   std::vector<std::unique_ptr<ArticulationModel>> models_;
   ReferencePoint reference_;
-  std::optional<ReferenceSearch> reference_search_;
+  std::optional<ReferencePointSearch> reference_search_;
   std::size_t reference_chosen_at_ = 0;  ///< observations when the reference point was chosen last
   Track front_;                          ///< id and size of the track
   PoseSequence poses_;                   ///< of the reference point, in runs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/models/model_registry.h"
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -45,8 +46,10 @@ std::vector<const ModelEntry*> chosenModels(const ArticulationConfig& config) {
     if (names.erase(entry.name) > 0 || all) chosen.push_back(&entry);
     known += std::string(" ") + entry.name;
   }
-  if (!names.empty() || chosen.empty())
-    throw ConfigError("setting 'joint_types' is '" + config.joint_types + "', expected all or some of" + known);
+  const auto is_parametric = [](const ModelEntry* entry) { return entry->is_parametric; };
+  if (!names.empty() || std::none_of(chosen.begin(), chosen.end(), is_parametric))
+    throw ConfigError("setting 'joint_types' is '" + config.joint_types + "', expected all or some of" + known +
+                      ", not a free curve alone");
   return chosen;
 }
 

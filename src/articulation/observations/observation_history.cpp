@@ -107,7 +107,7 @@ double ObservationHistory::sizeDeviation() const {
   return deviation.maxCoeff();
 }
 
-PoseSequence ObservationHistory::track(ReferencePoint point, std::size_t count) const {
+PoseSequence ObservationHistory::evenlySpaced(ReferencePoint point, std::size_t count) const {
   std::size_t stride = 1;
   while (entries_.size() > count * stride) stride *= 2;
   std::vector<std::size_t> indices;
@@ -119,7 +119,7 @@ PoseSequence ObservationHistory::track(ReferencePoint point, std::size_t count) 
 PoseSequence ObservationHistory::runs(ReferencePoint point, std::size_t count) const {
   constexpr std::size_t kRun = 20;
   const std::size_t runs = count / kRun;
-  if (entries_.size() <= count || runs < 2) return track(point, count);
+  if (entries_.size() <= count || runs < 2) return evenlySpaced(point, count);
   std::vector<std::size_t> indices;
   for (const std::size_t start : runStarts(runs, kRun))
     for (std::size_t i = 0; i < kRun; ++i) indices.push_back(start + i);

@@ -44,7 +44,7 @@ class ObservationHistory {
   /// The track of a reference point, at most `count` poses and more than half as many if there are, evenly spaced, the first
   /// and the last among them. With another pose they stay the same but for the last, until their spacing doubles. Sizes are
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
-  PoseSequence track(ReferencePoint point, std::size_t count) const;
+  PoseSequence evenlySpaced(ReferencePoint point, std::size_t count) const;
 
   /// The same in runs of poses that follow one another at once. Runs are spread evenly over the time and the front's way; the
   /// newest pose is among them.

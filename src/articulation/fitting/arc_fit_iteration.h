@@ -22,7 +22,7 @@ constexpr int kDampings = 7;  ///< tried before a step is given up
 
 /// Steps of an arc and of its noise in turn; what of arc_fit.h depends on whether there are orientations.
 template <bool kWithOrientation>
-class ArcFitter {
+class ArcFitIteration {
  public:
   using Problem = ArcProblem<kWithOrientation>;
   using Parameters = Eigen::Matrix<double, Problem::NUM_PARAMETERS, 1>;
@@ -33,7 +33,7 @@ class ArcFitter {
     bool settled;
   };
 
-  ArcFitter(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
+  ArcFitIteration(const PoseSamples& samples, const ArticulationConfig& config) : samples_(samples), config_(config) {
     // One step at a time: scales and correlations change with every step, and so does the base of the increments.
     solver_.options = optionsWithoutLeastGain<ceres::TinySolver<Problem>>();
     solver_.options.max_num_iterations = 1 + kDampings;
@@ -70,7 +70,7 @@ class ArcFitter {
       curvature = Curvature::kFixed;
       best = {arc, unknown, false};
       if (!effort.continues) effort.tolerance = kHeldTolerance;
-      effort.steps = std::max(effort.steps, round + 2);  // its cost is found in the next round
+      effort.steps = std::max(effort.steps, round + 2);  // a step at the limit, and its cost
     }
     if (shape == PathShape::kCircle) best.arc = limited(best.arc);
     return best;
