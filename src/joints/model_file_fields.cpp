@@ -83,9 +83,9 @@ void readJoint(const YAML::Node& node, LearnedModel* model) {
   model->type = typeFromName(node["type"]);
   // Types that are younger than a file have no probability in it.
   const std::size_t types = modelRegistry().size(), least = static_cast<std::size_t>(model->type) + 1;
-  const YAML::Node& written = node["probabilities"];
-  const std::size_t count = written && written.IsSequence() ? std::clamp(written.size(), least, types) : types;
-  model->probabilities = numbers(written, "probabilities", count);
+  const YAML::Node written = node["probabilities"];
+  const std::size_t size = written && written.IsSequence() ? std::clamp(written.size(), least, types) : types;
+  model->probabilities = numbers(written, "probabilities", size);
   for (const double probability : model->probabilities) requireWithin("probabilities", probability, limits::kProbability);
   model->probabilities.resize(types, 0);
   model->origin = pose(numbers(node["origin"], "origin", kPose).data(), "origin");

@@ -70,13 +70,13 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
     compared_at_ = poses.size();
     compared_path_ = path;
     entries_.assign(candidates->size(), {});
-    thorough ? compare(*candidates) : advance(*candidates, schedule.comparison(track_.size()).steps());
+    thorough ? compare(*candidates) : advance(*candidates, schedule);
   };
   if (!goes_on) close_ = false;
   // What was clear stays clear until a good deal more was seen, or a bit more of the way.
   const bool known = isClear() && 10 * poses.size() < 11 * compared_at_ && path < 1.1 * compared_path_;
   if (goes_on && !isSettled())
-    advance(*candidates, schedule.comparison(track_.size()).steps());
+    advance(*candidates, schedule);
   else if (!goes_on || !known)
     begin(close_ ? more : kRunPoses);
   if (isSettled() && !isClear() && !close_ && std::min(more, poses.size()) > kRunPoses) {
@@ -105,7 +105,8 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
 }
 
 /// As many steps as there is time for, of one model after the other where that is not even one for each.
-void JointTypeComparison::advance(const std::vector<Candidate>& candidates, int steps) {
+void JointTypeComparison::advance(const std::vector<Candidate>& candidates, const WorkSchedule& schedule) {
+  int steps = schedule.comparison(track_.size()).steps();
   if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.moves; }))
     --steps;  // for a first look
   std::vector<std::size_t> open;

@@ -35,7 +35,7 @@ class JointTypeComparison {
   };
 
   void compare(const std::vector<Candidate>& candidates);
-  void advance(const std::vector<Candidate>& candidates, int steps);
+  void advance(const std::vector<Candidate>& candidates, const WorkSchedule& schedule);
   void set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress);
   std::optional<double> rivalOf(std::size_t i) const;
   bool isSettled() const;

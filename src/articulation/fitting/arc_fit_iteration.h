@@ -17,8 +17,16 @@ namespace cabinet_articulation::core {
 /// digits do not matter.
 constexpr double kHeldTolerance = 0.5;
 
-constexpr double kTrustRegion = 1e4;
-constexpr int kDampings = 7;  ///< tried before a step is given up
+constexpr double kTrustRegion = 1e4;  ///< the default of Ceres
+constexpr int kDampings = 7;          ///< tried before a step is given up
+
+/// Negative log-likelihood of a path, with the best noise.
+template <bool kWithOrientation, class Noise>
+double arcCost(const PoseSamples& samples, const Arc& arc, Noise* noise) {
+  using Problem = ArcProblem<kWithOrientation>;
+  const Problem problem(samples, noise->noise(), arc, Curvature::kFixed);
+  return noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
+}
 
 /// Steps of an arc and of its noise in turn; what of arc_fit.h depends on whether there are orientations.
 template <bool kWithOrientation>
@@ -53,7 +61,7 @@ class ArcFitIteration {
     Arc arc = start;
     Result best{start, unknown, false};
     for (int round = 0;; ++round) {
-      const double cost = costOf(arc, noise);
+      const double cost = arcCost<kWithOrientation>(samples_, arc, noise);
       const double gain = best.cost - cost;
       if (gain > 0) best = {arc, cost, false};
       const bool outside = isLeaving(arc, curvature);
@@ -91,13 +99,6 @@ class ArcFitIteration {
   }
 
  private:
-  /// Negative log-likelihood, with the best noise.
-  template <class Noise>
-  double costOf(const Arc& arc, Noise* noise) const {
-    const Problem problem(samples_, noise->noise(), arc, Curvature::kFixed);
-    return noise->template estimate<Problem>(problem.rawResiduals()) + problem.hingeCost();
-  }
-
   /// Is the curvature at its limit, and would the path fit worse inside?
   template <class Noise>
   bool isHeld(const Arc& arc, Noise noise) const {
@@ -107,8 +108,8 @@ class ArcFitIteration {
     if (size == 1 / config_.radius_max) inside.curvature *= kInside;
     if (size == 1 / config_.radius_min) inside.curvature /= kInside;
     if (inside.curvature == arc.curvature) return false;
-    const double cost = costOf(arc, &noise);
-    return costOf(inside, &noise) >= cost;
+    const double cost = arcCost<kWithOrientation>(samples_, arc, &noise);
+    return arcCost<kWithOrientation>(samples_, inside, &noise) >= cost;
   }
 
   double limitedCurvature(const Arc& arc) const {

@@ -33,7 +33,7 @@ double relativeNoise(const PoseSamples& samples, const Arc& arc, const Articulat
 
 }  // namespace
 
-bool ReferencePointSearch::advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget) {
+bool ReferencePointSearch::advance(const ObservationHistory& poses, double width, double height, bool all) {
   // Corners turn about a hinge as the middles of edges do.
   static const std::vector<ReferencePoint> kPoints{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}};
   do {
@@ -42,7 +42,7 @@ bool ReferencePointSearch::advance(const ObservationHistory& poses, double width
       return true;
     }
     lookAt(kPoints[options_.size()], poses, width, height);
-  } while (budget.isUnlimited() && options_.size() < kPoints.size());
+  } while (all && options_.size() < kPoints.size());
   return options_.size() == kPoints.size();
 }
 

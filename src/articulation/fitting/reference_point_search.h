@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "articulation/fitting/work_schedule.h"
 #include "articulation/observations/observation_history.h"
 #include "articulation/paths/arc.h"
 
@@ -17,8 +16,8 @@ class ReferencePointSearch {
  public:
   explicit ReferencePointSearch(const ArticulationConfig& config) : config_(config) {}
 
-  /// Looks at the points of a front of the given size, one in a call if the budget is limited. True when none is left.
-  bool advance(const ObservationHistory& poses, double width, double height, const WorkBudget& budget);
+  /// Looks at all points of a front of the given size, or at one more in each call. True when none is left.
+  bool advance(const ObservationHistory& poses, double width, double height, bool all);
 
   /// The best point. `preferred` (may be null) is kept unless another is clearly better.
   ReferencePoint best(const ReferencePoint* preferred) const;

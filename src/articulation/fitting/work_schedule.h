@@ -24,8 +24,8 @@ class WorkBudget {
   int steps_;
 };
 
-/// What each part of the learner may do in one update of a front (ours). An update after one more observation takes 0.3 ms in the
-/// mean and 0.5 ms at most (learner_benchmark); what needs more is spread over the updates that follow.
+/// What each part of the learner may do in one update of a front (ours). An update after one more observation takes some 0.3 ms
+/// (learner_benchmark); what needs more is spread over the updates that follow.
 class WorkSchedule {
  public:
   static constexpr std::size_t kFew = 16;  ///< observations that are few enough for all work at once, each time
@@ -43,7 +43,7 @@ class WorkSchedule {
 
   bool isEverything() const { return everything_; }
 
-  /// For the fit of one joint: steps of an arc, or one round of a curve. The search for the reference point looks at one point.
+  /// For the fit of one joint: steps of an arc, or one round of a curve.
   WorkBudget fit(std::size_t poses) const { return budget(kFitWork, poses); }
 
   /// For the comparison of joint types, all joints together.
@@ -53,7 +53,7 @@ class WorkSchedule {
   bool nextRests(std::size_t poses) { return !everything_ && poses > kTurnPoses && ++turn_ % 2 == 1; }
 
  private:
-  // Poses times steps, each some 0.5 us.
+  // Poses times steps, each some 0.5 us (measured): 0.08 ms a joint, and 0.18 ms to compare them.
   static constexpr int kFitWork = 160;
   static constexpr int kComparisonWork = 360;
 

@@ -58,8 +58,7 @@ void FrontLearner::chooseReference(const Track& track) {
   const bool due = observations_.size() < kFew || observations_.size() >= 2 * reference_chosen_at_;
   if (!reference_search_ && !due) return;
   if (!reference_search_) reference_search_.emplace(config_);
-  const WorkBudget budget = schedule_.fit(observations_.size());
-  if (!reference_search_->advance(observations_, track.width, track.height, budget)) return;
+  if (!reference_search_->advance(observations_, track.width, track.height, schedule_.isEverything())) return;
   const ReferencePoint best = reference_search_->best(reference_chosen_at_ > 0 ? &reference_ : nullptr);
   reference_search_.reset();
   reference_chosen_at_ = std::max(kFew / 2, observations_.size());

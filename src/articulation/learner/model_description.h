@@ -7,8 +7,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Where the joint is, how far it was seen to move in `track`, how certain that is, how well it fits, and all parameters under
-/// the original release's names. `reference` is the observed point in the front's own frame; what is learned is that of the
+/// Where the joint is, how far it was seen to move in `track`, how certain that is and how well it fits. Parameters have the
+/// names of the original release. `reference` is the observed point in the front's own frame; what is learned is that of the
 /// centre. Needs LearnedModel::moved.
 void describeJoint(const Candidate& candidate, const PoseSequence& track, const Eigen::Vector3d& reference,
                    const ArticulationConfig& config, LearnedModel* learned);
