@@ -82,9 +82,9 @@ TEST_P(ModelContract, LikelihoodFallsWithDistance) {
   const double likelihood = model->logLikelihood(noisy, model->residuals(noisy));
   EXPECT_TRUE(std::isfinite(likelihood));
   const Eigen::Vector3d across = model->predict(0).linear().col(1);
-  for (Eigen::Isometry3d& pose : noisy.poses) pose.pretranslate(0.02 * across);
-  // 2 sigma for each of 100 poses: 2 nats each.
-  EXPECT_NEAR(model->logLikelihood(noisy, model->residuals(noisy)), likelihood - 200, 40);
+  for (Eigen::Isometry3d& pose : noisy.poses) pose.pretranslate(config_.sigma_position * across);
+  // 1 sigma for each of 100 poses: half a nat each.
+  EXPECT_NEAR(model->logLikelihood(noisy, model->residuals(noisy)), likelihood - 50, 10);
 }
 
 TEST_P(ModelContract, ASecondFitChangesNothing) {

@@ -55,6 +55,14 @@ double longestPath(const std::vector<Candidate>& candidates) {
   return longest;
 }
 
+/// Whether a simpler joint is more probable whatever a comparison finds.
+bool isNegligible(const std::vector<Candidate>& candidates, std::size_t i) {
+  constexpr double kLeastLogOdds = -2.3;  // one to ten
+  const auto isJoint = [](const Candidate& candidate) { return candidate.model->moves() && candidate.model->isParametric(); };
+  const bool has_simpler = std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i), isJoint);
+  return has_simpler && candidates[i].model->largestAdvantage() < kLeastLogOdds;
+}
+
 }  // namespace
 
 void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint reference, const WorkSchedule& schedule,
@@ -85,7 +93,10 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
   }
   // Until the next comparison has come to an end, the last one tells more.
   if (thorough || isSettled()) verdict_ = entries_;
-  for (std::size_t i = 0; i < candidates->size(); ++i) (*candidates)[i].evidence = verdict_[i].evidence;
+  for (std::size_t i = 0; i < candidates->size(); ++i) {
+    const bool negligible = (*candidates)[i].model->moves() && !verdict_[i].moves;
+    (*candidates)[i].evidence = negligible ? -std::numeric_limits<double>::infinity() : verdict_[i].evidence;
+  }
 }
 
 void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
@@ -98,7 +109,7 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
     set(i, model, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, WorkBudget::unlimited(), rivals[i]));
   };
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i].model->moves()) look(i);
+    if (candidates[i].model->moves() && !isNegligible(candidates, i)) look(i);
   // A fit ends early beside a rival that is clearly worse; one that was found since may be closer. The first had no rival.
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (rivals[i] && *rivalOf(i) > *rivals[i] + kFineFit) look(i);
@@ -112,7 +123,7 @@ void JointTypeComparison::advance(const std::vector<Candidate>& candidates, cons
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     ArticulationModel& model = *candidates[i].model;
-    if (!model.moves()) continue;
+    if (!model.moves() || isNegligible(candidates, i)) continue;
     if (!entries_[i].moves) set(i, model, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(0), std::nullopt));
     if (!entries_[i].settled) open.push_back(i);
   }
@@ -126,7 +137,7 @@ void JointTypeComparison::advance(const std::vector<Candidate>& candidates, cons
 
 void JointTypeComparison::set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress) {
   const double penalty = 0.5 * model.complexity(track_.has_orientation) * std::log(static_cast<double>(track_.size()));
-  entries_[i] = {true, progress.log_likelihood, progress.log_likelihood - penalty, progress.settled};
+  entries_[i] = {true, progress.log_likelihood, progress.log_likelihood - penalty + model.logPrior(), progress.settled};
 }
 
 std::optional<double> JointTypeComparison::rivalOf(std::size_t i) const {

@@ -83,6 +83,8 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
       const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
       added = track.has_orientation ? difference : std::min(0.0, difference);
       candidate.evidence += added;
+      const double largest = candidate.model->largestAdvantage();
+      candidate.evidence = std::min(candidate.evidence, roles.moving->evidence + largest);
       if (explains(*roles.moving, config) && !explains(candidate, config))
         candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
       if (!explains(*roles.moving, config) && explains(candidate, config))

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "articulation/observations/observation_covariance.h"
+#include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -27,13 +28,6 @@ constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
 /// Largest share of the variation that may go back and forth (measured: faces of clutter that tilt 0.3 to 1.4, fronts that open
 /// less than 0.03).
 constexpr double kRestless = 0.25;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Steps that lead back where the step before came from: a front that is moved, however unevenly, makes hardly any from one
 /// frame to the next; of frames far apart nothing can be said. Noise of standard deviation s in each of three directions has a

@@ -95,12 +95,18 @@ std::vector<double> costsOfPlaces(const ModelResiduals& residuals, double spread
 
 }  // namespace
 
+std::vector<double> ArticulationModel::configurations(const PoseSequence& track) const {
+  std::vector<double> q;
+  for (const Eigen::Isometry3d& pose : track.poses) q.push_back(configuration(pose));
+  return q;
+}
+
 ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
   ModelResiduals residuals;
+  residuals.q = configurations(track);
   const bool weighted = track.has_orientation && !track.position_weights.empty();
   for (std::size_t i = 0; i < track.size(); ++i) {
-    residuals.q.push_back(configuration(track.poses[i]));
-    const Eigen::Isometry3d predicted = predict(residuals.q.back());
+    const Eigen::Isometry3d predicted = predict(residuals.q[i]);
     Eigen::Vector3d position = track.poses[i].translation() - predicted.translation();
     Eigen::Vector3d orientation = Eigen::Vector3d::Zero();
     if (track.has_orientation)
@@ -121,7 +127,9 @@ ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
   const double speed = (predict(kStep).translation() - predict(0).translation()).norm() / kStep;
   std::tie(residuals.q_min, residuals.q_max) = observedRange(residuals, 3 * config_.sigma_position, std::max(speed, 1e-6));
   if (moves() && track.size() > 0) {
-    residuals.path = pathLength(*this, residuals.q_min, residuals.q_max);
+    // Successive poses tell one turn from the next: the place within a turn is what is free.
+    const double once = traits().turns ? std::min(residuals.q_max, residuals.q_min + 2 * M_PI) : residuals.q_max;
+    residuals.path = pathLength(*this, residuals.q_min, once);
     residuals.freedom = costOfFreedom(track, residuals);
   }
   return residuals;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,12 @@ class ArticulationModel {
   /// Number of parameters, for the penalty of Eq. (11).
   virtual int complexity(bool with_orientation) const = 0;
 
+  /// [nats] How rare such a joint with these parameters is beside a drawer or a door, before any pose is seen.
+  virtual double logPrior() const { return 0; }
+
+  /// [nats] By how much its evidence may exceed that of a simpler joint: what it adds may be systematic error of the poses.
+  virtual double largestAdvantage() const { return std::numeric_limits<double>::infinity(); }
+
   /// Estimates the parameters from a track of finite poses, in the order of their stamps. False if the track is too short for
   /// this model; the model is then unchanged. With a limited budget the track goes on from the one of the last call: the fit
   /// starts from the last one, and may leave work to the next.
@@ -70,6 +77,9 @@ class ArticulationModel {
 
   /// The q whose pose is nearest: the inverse of predict().
   virtual double configuration(const Eigen::Isometry3d& pose) const = 0;
+
+  /// The same for successive poses, which may tell more than each alone.
+  virtual std::vector<double> configurations(const PoseSequence& track) const;
 
   virtual JointGeometry geometry() const = 0;
 
