@@ -18,6 +18,9 @@ class ArcModel : public ArticulationModel {
   void moveReference(const Eigen::Vector3d& offset) override;
   Eigen::Isometry3d predict(double q) const override { return arc_.pose(first_ + q / unit()); }
   double configuration(const Eigen::Isometry3d& pose) const override;
+  /// [m] Robust standard deviation of the positions about the path.
+  double positionNoise() const { return fit_.position_scale; }
+
   SequenceProgress sequenceLogLikelihood(const PoseSequence& track, const WorkBudget& budget,
                                          std::optional<double> rival) override;
 

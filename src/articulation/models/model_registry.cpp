@@ -11,6 +11,7 @@
 #include "articulation/models/prismatic_model.h"
 #include "articulation/models/rigid_model.h"
 #include "articulation/models/rotational_model.h"
+#include "articulation/models/screw_model.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -28,10 +29,7 @@ ModelEntry entry() {
 
 const std::vector<ModelEntry>& modelRegistry() {
   static const std::vector<ModelEntry> registry{
-      entry<RigidModel>(),
-      entry<PrismaticModel>(),
-      entry<RotationalModel>(),
-      entry<NonparametricModel>(),
+      entry<RigidModel>(), entry<PrismaticModel>(), entry<RotationalModel>(), entry<NonparametricModel>(), entry<ScrewModel>(),
   };
   return registry;
 }

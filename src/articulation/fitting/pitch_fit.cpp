@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/fitting/pitch_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/median.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr int kRounds = 4;
+constexpr double kFirstPosition = 0.002, kFirstOrientation = 0.019;  ///< [m], [rad] before residuals are seen (measured)
+constexpr double kFloor = 5e-5;                                      ///< [m], [rad] rounding of logs
+constexpr double kCommon = 0.01;  ///< share of the noise's variance that all poses of a track have in common (ours)
+
+double robustSigma(std::vector<double> residuals) {
+  constexpr double kToSigma = 1.4826;  // of a Gaussian's median absolute deviation
+  for (double& residual : residuals) residual = std::abs(residual);
+  return std::max(kFloor, kToSigma * median(std::move(residuals)));
+}
+
+/// How much of the information in residuals is independent, where some follow one another. They are cut at `limit`.
+double independentShare(const std::vector<double>& residuals, double limit) {
+  double product = 0, square = 0, previous = 0;
+  for (const double residual : residuals) {
+    const double cut = std::clamp(residual, -limit, limit);
+    product += cut * previous;
+    square += cut * cut;
+    previous = cut;
+  }
+  const double correlation = square > 0 ? std::clamp(product / square, 0.0, 0.99) : 0;
+  const double share = (1 - correlation) / (1 + correlation);
+  return share / (1 + kCommon * share * static_cast<double>(residuals.size()));
+}
+
+}  // namespace
+
+PitchEstimate PitchFit::solve(double degrees_of_freedom) const {
+  Row x = Row::Zero();
+  Normal normal;
+  for (int round = 0; round < kRounds; ++round) {
+    normal = 1e-9 * Normal::Identity();
+    normal(5, 5) += 1 / (kTypicalPitch * kTypicalPitch);
+    Row right = Row::Zero();
+    add(positions_, x, round == 0 ? kFirstPosition : 0, degrees_of_freedom, &normal, &right);
+    add(orientations_, x, round == 0 ? kFirstOrientation : 0, degrees_of_freedom, &normal, &right);
+    x = normal.ldlt().solve(right);
+  }
+  return {x[5], normal.inverse()(5, 5)};
+}
+
+void PitchFit::add(const std::vector<Equation>& equations, const Row& x, double sigma, double degrees_of_freedom, Normal* normal,
+                   Row* right) {
+  if (equations.empty()) return;
+  const bool knows_residuals = sigma == 0;
+  std::vector<double> residuals;
+  for (const Equation& equation : equations) residuals.push_back(equation.residual - equation.row.dot(x));
+  if (knows_residuals) sigma = robustSigma(residuals);
+  const double share = independentShare(residuals, 3 * sigma);
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    const Equation& equation = equations[i];
+    const double square = knows_residuals ? equation.seen * std::pow(residuals[i] / sigma, 2) : 0;
+    const double robust = (degrees_of_freedom + 1) / (degrees_of_freedom + square);  // of Student's t
+    const double weight = share * equation.seen * robust / (sigma * sigma);
+    *normal += weight * equation.row * equation.row.transpose();
+    *right += weight * equation.residual * equation.row;
+  }
+}
+
+}  // namespace cabinet_articulation::core
