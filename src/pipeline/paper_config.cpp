@@ -73,7 +73,7 @@ ArticulationConfig paperArticulation() {
   config.degrees_of_freedom = config.sequence_degrees_of_freedom = 1000;            // Eq. (9): Gaussian
   config.sigma_edge = config.sigma_hinge = 0;                                       // nothing is known of fronts and hinges
   config.radius_min = 0.001;                                                        // library: any radius
-  config.radius_max = 10;
+  config.radius_max = config.marker_radius_max = 10;
   // Eq. (11) decides alone.
   config.sagitta_min = config.turn_min = config.edge_support_min = 0;
   config.motion_min = config.motion_to_noise = config.motion_to_jitter = config.motion_to_sigma = 0;

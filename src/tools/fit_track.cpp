@@ -79,6 +79,7 @@ void printModel(const std::string& file, const LearnedModel& model, double milli
 
 void fitFile(const std::string& file, ArticulationConfig config) {
   const PoseLog log = readPoseLog(file);
+  if (!log.warning.empty()) std::fprintf(stderr, "fit_track: %s: %s\n", file.c_str(), log.warning.c_str());
   config.use_orientation = config.use_orientation && log.columns > 3;
   const auto start = std::chrono::steady_clock::now();
   ArticulationLearner learner(config);

@@ -15,6 +15,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kUnitTolerance = 0.05;
+constexpr double kShortestMean = 0.5;             ///< of unit quaternions that are 120 degrees apart
 constexpr std::size_t kLargestLog = 256U << 20U;  // [bytes] two days at 15 Hz with 100 characters a pose
 
 /// Where an error is, for its message.
@@ -42,14 +43,38 @@ std::vector<double> parseNumbers(const std::string& text, const Location& locati
   }
 }
 
-Rectangle parseRectangle(const std::vector<double>& numbers, const Location& location) {
+/// What is shorter than a unit quaternion is the mean of some.
+class NormalisedQuaternions {
+ public:
+  Eigen::Quaterniond normalised(const Eigen::Quaterniond& q, const Location& location) {
+    const double length = q.norm();
+    if (length > 1 + kUnitTolerance || length < kShortestMean)
+      location.fail("the quaternion qx qy qz qw has length " + std::to_string(length) + ", expected 1");
+    if (length < 1 - kUnitTolerance) ++count_;
+    if (length >= shortest_) return q.normalized();
+    shortest_ = length;
+    line_ = location.line;
+    return q.normalized();
+  }
+
+  std::string warning() const {
+    if (count_ == 0) return "";
+    return std::to_string(count_) +
+           " quaternions are not of length 1, as means of some are not, and were normalised; the shortest, in line " +
+           std::to_string(line_) + ", has length " + std::to_string(shortest_);
+  }
+
+ private:
+  int count_ = 0, line_ = 0;
+  double shortest_ = 1;
+};
+
+Rectangle parseRectangle(const std::vector<double>& numbers, const Location& location, NormalisedQuaternions* quaternions) {
   Rectangle rectangle;
   rectangle.pose.translation() << numbers[0], numbers[1], numbers[2];
   if (numbers.size() < 7) return rectangle;
-  Eigen::Quaterniond q(numbers[6], numbers[3], numbers[4], numbers[5]);
-  if (std::abs(q.norm() - 1) > kUnitTolerance)
-    location.fail("the quaternion qx qy qz qw has length " + std::to_string(q.norm()) + ", expected 1");
-  rectangle.pose.linear() = q.normalized().toRotationMatrix();
+  const Eigen::Quaterniond q(numbers[6], numbers[3], numbers[4], numbers[5]);
+  rectangle.pose.linear() = quaternions->normalised(q, location).toRotationMatrix();
   if (numbers.size() < 9) return rectangle;
   rectangle.width = numbers[7];
   rectangle.height = numbers[8];
@@ -87,6 +112,7 @@ void estimateSize(Track* track) {
 
 PoseLog readPoseLog(std::istream& in, const std::string& name) {
   PoseLog log;
+  NormalisedQuaternions quaternions;
   std::string text;
   for (Location location{name, 1}; std::getline(in, text); ++location.line) {
     const std::size_t first = text.find_first_not_of(" \t\r");
@@ -102,12 +128,13 @@ PoseLog readPoseLog(std::istream& in, const std::string& name) {
       location.fail(std::to_string(columns) + " columns, expected " + std::to_string(log.columns) + " as in the lines before");
     TrackedObservation observation;
     observation.stamp = static_cast<double>(log.track.observations.size());
-    observation.rectangle = parseRectangle(numbers, location);
+    observation.rectangle = parseRectangle(numbers, location, &quaternions);
     requireSane(observation.rectangle, location);
     log.track.observations.push_back(observation);
   }
   if (log.track.observations.empty()) throw PoseLogError(name + ": no poses, expected one a line");
   estimateSize(&log.track);
+  log.warning = quaternions.warning();
   return log;
 }
 

@@ -21,11 +21,13 @@ class PoseLogError : public std::runtime_error {
 /// of the rectangle.
 struct PoseLog {
   int columns = 0;
-  Track track;  ///< the given positions (3, 7 columns) or the rectangle's centres; stamps count the poses
+  std::string warning;  ///< about what was mended, without the log's name; empty: nothing
+  Track track;          ///< the given positions (3, 7 columns) or the rectangle's centres; stamps count the poses
 };
 
 /// Throws PoseLogError; also for geometry that is farther away or larger than limits.h allows, and for what is no
-/// ordinary file. Quaternions up to 5 % off unit length are normalised.
+/// ordinary file. Quaternions are normalised; those shorter than 0.95 are
+/// means of some, which the warning says, and those shorter than 0.5 or longer than 1.05 are refused.
 PoseLog readPoseLog(std::istream& in, const std::string& name);
 PoseLog readPoseLog(const std::string& path);
 

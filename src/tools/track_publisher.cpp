@@ -66,7 +66,9 @@ void play(std::vector<core::Track> logs, const Settings& settings) {
 std::vector<core::Track> readLogs(int count, char** files) {
   std::vector<core::Track> logs;
   for (int i = 0; i < count; ++i) {
-    logs.push_back(core::readPoseLog(files[i]).track);
+    const core::PoseLog log = core::readPoseLog(files[i]);
+    if (!log.warning.empty()) ROS_WARN("%s: %s", files[i], log.warning.c_str());
+    logs.push_back(log.track);
     logs.back().id = static_cast<std::uint32_t>(i + 1);  // 0 is nobody
   }
   return logs;

@@ -16,7 +16,7 @@ inline core::KnownFront learned(core::LearnedModel model, int observations = 20,
   model.pitch = 0.0125;
   model.q_min_is_end = true;
   model.q_max_is_end = false;
-  model.probabilities = {0.01, 0.02, 0.94, 0.03};
+  model.probabilities = {0.01, 0.02, 0.94, 0.03, 0};
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) model.covariance(i, j) = 1e-5 / (1 + i + j);
   model.params = {{"sigma_position", 0.01, core::ModelParam::kPrior}, {"q_min[0]", model.q_min, core::ModelParam::kEval}};

@@ -85,10 +85,10 @@ TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
 
 TEST_F(ModelFiles, OlderThanAJointTypeGiveItNoProbability) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
-  damage("probabilities: [0.01, 0.02, 0.94, 0.03]", "probabilities: [0.01, 0.02, 0.97]");
+  damage("probabilities: [0.01, 0.02, 0.94, 0.03, 0]", "probabilities: [0.01, 0.02, 0.97]");
   damage("    pitch: 0.0125\n", "");
   const LearnedModel loaded = readModelFile(path_).fronts.at(0).model;
-  EXPECT_EQ(loaded.probabilities, (std::vector<double>{0.01, 0.02, 0.97, 0}));
+  EXPECT_EQ(loaded.probabilities, (std::vector<double>{0.01, 0.02, 0.97, 0, 0}));
   EXPECT_EQ(loaded.pitch, 0);
 }
 
@@ -199,9 +199,10 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
       {{"q_min_is_end: true", "q_min_is_end: 3"}, "'q_min_is_end' is neither true nor false"},
       {{"axis: [0, 1, 0]", "axis: [0, 2, 0]"}, "'axis' is not of unit length"},
       {{"axis: [0, 1, 0]", "axis: [0, 1]"}, "'axis' is not a list of 3 numbers"},
-      {{"probabilities: [0.01, 0.02, 0.94, 0.03]", "probabilities: [0.01, 0.99]"}, "'probabilities' is not a list of 3 numbers"},
-      {{"probabilities: [0.01, 0.02, 0.94, 0.03]", "probabilities: 1"}, "'probabilities' is not a list of 4 numbers"},
-      {{"probabilities:", "others:"}, "'probabilities' is not a list of 4 numbers"},
+      {{"probabilities: [0.01, 0.02, 0.94, 0.03, 0]", "probabilities: [0.01, 0.99]"},
+       "'probabilities' is not a list of 3 numbers"},
+      {{"probabilities: [0.01, 0.02, 0.94, 0.03, 0]", "probabilities: 1"}, "'probabilities' is not a list of 5 numbers"},
+      {{"probabilities:", "others:"}, "'probabilities' is not a list of 5 numbers"},
       {{"origin: [", "origin: [1, "}, "'origin' is not a list of 7 numbers"},
       {{"frame: map", "fram: map"}, "'frame' or 'fronts' is missing"},
       {{"observations:\n", "remarks:\n"}, "'observations' is missing or empty"},

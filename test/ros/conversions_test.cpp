@@ -302,7 +302,7 @@ TEST(ModelConversion, SaysUnknownOfWhatNobodyFillsYet) {
 TEST(ModelConversion, RefusesAnUnknownType) {
   ArticulationModel message = toMessage(exampleModel(), "map");
   message.type = 17;
-  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "type is 17, expected less than 4");
+  EXPECT_EQ(test::errorOf([&] { fromMessage(message); }), "type is 17, expected less than 5");
 }
 
 TEST(StampConversion, NeverThrows) {

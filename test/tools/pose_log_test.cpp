@@ -52,6 +52,16 @@ TEST(PoseLog, RectanglesAreGivenByACorner) {
   EXPECT_EQ(log.track.height, 0.6);
 }
 
+TEST(PoseLog, MeansOfQuaternionsAreNormalisedWithAWarning) {
+  const PoseLog log = read("1 2 3 0 0 0 1\n1 2 3 0 0 0.6 0.6\n1 2 3 0 0 0 0.9\n");
+  EXPECT_NEAR(log.track.observations[1].rectangle.pose.linear()(0, 1), -1, 1e-12);
+  EXPECT_EQ(
+      log.warning,
+      "2 quaternions are not of length 1, as means of some are not, and were normalised; the shortest, in line 2, has length "
+      "0.848528");
+  EXPECT_EQ(read("1 2 3 0 0 0 0.99\n").warning, "");
+}
+
 TEST(PoseLog, RefusalsNameFileAndLine) {
   EXPECT_EQ(refusal(""), "some.log: no poses, expected one a line");
   EXPECT_EQ(refusal("\n# nothing\n"), "some.log: no poses, expected one a line");

@@ -21,6 +21,7 @@ struct ArticulationConfig {
   double sigma_orientation_floor = 0.14;
   double radius_min = 0.02;
   double radius_max = 1.2;
+  double marker_radius_max = 2.5;
 
   double sequence_degrees_of_freedom = 3;
   double sagitta_min = 0.006;
@@ -62,7 +63,9 @@ struct ArticulationConfig {
           "the same for orientations, whose errors are systematic: less biases the radius (measured)");
     visit("radius_min", self.radius_min, Range{1e-3, 1}, "m", "smallest distance of an axis from the observed point");
     visit("radius_max", self.radius_max, Range{0.05, 10}, "m",
-          "largest one; more lets bowed drawers look like doors (measured: 1.0 to 1.2)");
+          "largest one of a front whose size is known (measured: 1.0 to 1.2)");
+    visit("marker_radius_max", self.marker_radius_max, Range{0.05, 10}, "m",
+          "largest one of a marker: where it is bound, bowed drawers look like wide doors, which are rare beforehand (measured)");
     visit("sequence_degrees_of_freedom", self.sequence_degrees_of_freedom, Range{1, 1000}, "",
           "tails of the innovations when prismatic and rotational are compared (measured: 2 to 5)");
     visit("sagitta_min", self.sagitta_min, Range{0, 0.1}, "m",

@@ -57,8 +57,10 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track,
   const double caution = track.orientation_weights.empty() ? 1 : std::max(1.0, config.sigma_position / config.sigma_plane);
   candidate.cautious_log_likelihood =
       caution > 1 ? model->logLikelihood(track, candidate.residuals, caution) : candidate.log_likelihood;
-  const double limit = 3 * config.sigma_position;
+  const double limit = 3 * sigmaPosition(track, config);
   candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
+  const double turn_limit = 3 * sigmaOrientation(track, config);
+  candidate.persistence = std::max(candidate.correlation, sequenceCorrelation(candidate.residuals.orientation, turn_limit));
   candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));
   const double share = 1 / static_cast<double>(track.size());
   for (std::size_t i = 0; i < track.size(); ++i) {
@@ -70,7 +72,8 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track,
 }
 
 bool explains(const Candidate& candidate, const ArticulationConfig& config) {
-  return candidate.outlier_share <= config.outlier_share_max && candidate.mean_deviation <= config.deviation_max;
+  return candidate.persistence * candidate.outlier_share <= config.outlier_share_max &&
+         std::sqrt(candidate.persistence) * candidate.mean_deviation <= config.deviation_max;
 }
 
 }  // namespace cabinet_articulation::core

@@ -15,6 +15,7 @@ struct Candidate {
   double cautious_log_likelihood = 0;
   double evidence = 0;        ///< of models that move: sequence log-likelihood less the penalty for complexity
   double correlation = 0;     ///< of one position residual with the next
+  double persistence = 0;     ///< the same, or that of orientation residuals where it is larger
   double memory = 0;          ///< correlation with the next of a sequence whose mean is as uncertain as that of the residuals
   double outlier_share = 0;   ///< poses farther than 3 standard deviations
   double mean_deviation = 0;  ///< of the poses, in standard deviations
@@ -24,8 +25,9 @@ struct Candidate {
 /// Residuals and likelihoods of a fitted model.
 Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track, const ArticulationConfig& config);
 
-/// Whether the track is what this model says, but for some poses. The noise of real tracks is slow, so that no less than
-/// centimetres tell.
+/// Whether the track is what this model says, but for some poses. Only what residuals have in common with the next ones counts: a
+/// motion that the model does not describe goes on from pose to pose, noise and jumps do not. The noise of real tracks is slow,
+/// so that no less than centimetres tell.
 bool explains(const Candidate& candidate, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

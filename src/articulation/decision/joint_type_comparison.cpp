@@ -48,11 +48,12 @@ PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidat
   return sequence;
 }
 
-/// [m] Of what the models that move say of the way.
-double longestPath(const std::vector<Candidate>& candidates) {
-  double longest = 0;
-  for (const Candidate& candidate : candidates) longest = std::max(longest, candidate.residuals.path);
-  return longest;
+/// [m] By the model that explains the poses best: others may say anything.
+double pathOfBest(const std::vector<Candidate>& candidates) {
+  const Candidate* best = nullptr;
+  for (const Candidate& candidate : candidates)
+    if (candidate.model->moves() && (!best || candidate.log_likelihood > best->log_likelihood)) best = &candidate;
+  return best ? best->residuals.path : 0;
 }
 
 /// Whether a simpler joint is more probable whatever a comparison finds.
@@ -69,15 +70,16 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
                                  std::vector<Candidate>* candidates) {
   const bool goes_on = compared_at_ > 0 && !schedule.isEverything() && entries_.size() == candidates->size();
   const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
-  const double limit = 3 * config_.sigma_position;
-  const double path = longestPath(*candidates);
+  const double path = pathOfBest(*candidates);
   // Without an earlier verdict a first glance would be taken for one.
   const bool thorough = schedule.isEverything() || verdict_.size() != candidates->size();
   const auto begin = [&](std::size_t count) {
-    track_ = fromExplained(poses.runs(reference, count), *candidates, limit);
+    const PoseSequence runs = poses.runs(reference, count);
+    track_ = fromExplained(runs, *candidates, 3 * sigmaPosition(runs, config_));
     compared_at_ = poses.size();
     compared_path_ = path;
     entries_.assign(candidates->size(), {});
+    for (std::size_t i = 0; i < candidates->size(); ++i) entries_[i].negligible = isNegligible(*candidates, i);
     thorough ? compare(*candidates) : advance(*candidates, schedule);
   };
   if (!goes_on) close_ = false;
@@ -94,8 +96,7 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
   // Until the next comparison has come to an end, the last one tells more.
   if (thorough || isSettled()) verdict_ = entries_;
   for (std::size_t i = 0; i < candidates->size(); ++i) {
-    const bool negligible = (*candidates)[i].model->moves() && !verdict_[i].moves;
-    (*candidates)[i].evidence = negligible ? -std::numeric_limits<double>::infinity() : verdict_[i].evidence;
+    (*candidates)[i].evidence = verdict_[i].negligible ? -std::numeric_limits<double>::infinity() : verdict_[i].evidence;
   }
 }
 
@@ -109,7 +110,7 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
     set(i, model, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, WorkBudget::unlimited(), rivals[i]));
   };
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i].model->moves() && !isNegligible(candidates, i)) look(i);
+    if (candidates[i].model->moves() && !entries_[i].negligible) look(i);
   // A fit ends early beside a rival that is clearly worse; one that was found since may be closer. The first had no rival.
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (rivals[i] && *rivalOf(i) > *rivals[i] + kFineFit) look(i);
@@ -117,17 +118,18 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
 
 /// As many steps as there is time for, of one model after the other where that is not even one for each.
 void JointTypeComparison::advance(const std::vector<Candidate>& candidates, const WorkSchedule& schedule) {
-  int steps = schedule.comparison(track_.size()).steps();
-  if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.moves; }))
-    --steps;  // for a first look
+  const bool is_first = std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.moves; });
+  std::size_t joints = 0;
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     ArticulationModel& model = *candidates[i].model;
-    if (!model.moves() || isNegligible(candidates, i)) continue;
+    if (!model.moves() || entries_[i].negligible) continue;
+    joints += model.isParametric();
     if (!entries_[i].moves) set(i, model, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(0), std::nullopt));
     if (!entries_[i].settled) open.push_back(i);
   }
   const int count = static_cast<int>(open.size());
+  const int steps = schedule.comparison(joints, track_.size()).steps() - is_first;  // a first look is a step
   for (int k = 0; k < std::min(steps, count); ++k) {
     const std::size_t i = open[turn_++ % open.size()];
     ArticulationModel& model = *candidates[i].model;
@@ -137,7 +139,7 @@ void JointTypeComparison::advance(const std::vector<Candidate>& candidates, cons
 
 void JointTypeComparison::set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress) {
   const double penalty = 0.5 * model.complexity(track_.has_orientation) * std::log(static_cast<double>(track_.size()));
-  entries_[i] = {true, progress.log_likelihood, progress.log_likelihood - penalty + model.logPrior(), progress.settled};
+  entries_[i] = {true, false, progress.log_likelihood, progress.log_likelihood - penalty + model.logPrior(), progress.settled};
 }
 
 std::optional<double> JointTypeComparison::rivalOf(std::size_t i) const {

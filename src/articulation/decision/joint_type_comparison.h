@@ -30,6 +30,7 @@ class JointTypeComparison {
  private:
   struct Entry {
     bool moves = false;
+    bool negligible = false;  ///< was when the comparison began
     double log_likelihood = 0, evidence = 0;
     bool settled = true;
   };
@@ -45,7 +46,7 @@ class JointTypeComparison {
   std::size_t compared_at_ = 0;  ///< poses of the track when the comparison began; 0: none did
   bool close_ = false;           ///< the few poses that are compared first did not tell
   PoseSequence track_;           ///< what is compared
-  double compared_path_ = 0;     ///< [m] longest of the models' paths then
+  double compared_path_ = 0;     ///< [m] of the best model then
   std::vector<Entry> entries_;   ///< of the candidates
   std::vector<Entry> verdict_;   ///< the same when a comparison came to its end last
   std::size_t turn_ = 0;         ///< whose is the next step

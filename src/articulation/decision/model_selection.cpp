@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "articulation/decision/systematic_error.h"
 #include "articulation/models/model_registry.h"
 
 namespace cabinet_articulation::core {
@@ -20,27 +22,6 @@ constexpr double kEvident = 0.99;
 constexpr double kImplausible = 5;
 
 double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
-/// Largest distance [m] of the observed path from its chord.
-double bow(const Candidate& candidate) {
-  constexpr int kSteps = 8;
-  const double q_min = candidate.residuals.q_min, q_max = candidate.residuals.q_max;
-  const Eigen::Vector3d first = candidate.model->predict(q_min).translation();
-  const Eigen::Vector3d chord = candidate.model->predict(q_max).translation() - first;
-  double largest = 0;
-  for (int i = 1; i < kSteps; ++i) {
-    const Eigen::Vector3d p = candidate.model->predict(q_min + (q_max - q_min) * i / kSteps).translation() - first;
-    const Eigen::Vector3d away = chord.norm() > 0 ? Eigen::Vector3d(p - chord * chord.dot(p) / chord.squaredNorm()) : p;
-    largest = std::max(largest, away.norm());
-  }
-  return largest;
-}
-
-/// Angle [rad] by which the front turned along the observed path.
-double turn(const Candidate& candidate) {
-  const Eigen::Matrix3d first = candidate.model->predict(candidate.residuals.q_min).linear();
-  return Eigen::AngleAxisd(first.transpose() * candidate.model->predict(candidate.residuals.q_max).linear()).angle();
-}
 
 /// Share of a candidate's residuals that are independent of one another.
 double independentShare(const Candidate& candidate) { return (1 - candidate.correlation) / (1 + candidate.correlation); }
@@ -63,7 +44,7 @@ struct Roles {
 /// Also adds to the evidence of joints what their independent residuals say.
 Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track, const ArticulationConfig& config) {
   Roles roles;
-  double independent = 0;  // [nats] what independent residuals added to the evidence of roles.moving
+  double added_before = 0;  // [nats] what was added to the evidence of roles.moving
   for (Candidate& candidate : *candidates) {
     if (!candidate.model->moves()) {
       roles.still = &candidate;
@@ -75,16 +56,20 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
     }
     double added = 0;
     if (roles.moving) {
-      candidate.evidence += independent;
+      candidate.evidence += added_before;
       const double turn_min = track.orientation_weights.empty() ? config.turn_min : 0;
-      const bool bends = bow(candidate) >= config.sagitta_min || (track.has_orientation && turn(candidate) >= turn_min);
+      const bool bends =
+          bowOfPath(candidate) >= config.sagitta_min || (track.has_orientation && turnAlongPath(candidate) >= turn_min);
       if (!bends) candidate.evidence = std::min(candidate.evidence, roles.moving->evidence);
       // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
       const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
       added = track.has_orientation ? difference : std::min(0.0, difference);
       candidate.evidence += added;
-      const double largest = candidate.model->largestAdvantage();
-      candidate.evidence = std::min(candidate.evidence, roles.moving->evidence + largest);
+      const double largest =
+          std::min(candidate.model->largestAdvantage(), largestAdvantageOfTurning(candidate, *roles.moving, track, config));
+      const double excess = std::max(0.0, candidate.evidence - (roles.moving->evidence + largest));
+      candidate.evidence -= excess;
+      added -= excess;
       if (explains(*roles.moving, config) && !explains(candidate, config))
         candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
       if (!explains(*roles.moving, config) && explains(candidate, config))
@@ -94,7 +79,7 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
     }
     if (roles.moving && candidate.evidence <= roles.moving->evidence) continue;
     roles.moving = &candidate;
-    independent += added;
+    added_before += added;
   }
   if (!roles.moving) std::swap(roles.moving, roles.free);
   return roles;
@@ -110,12 +95,15 @@ bool isSureOfJoint(const std::vector<Candidate>& candidates, const Candidate& be
 
 /// Probability that the front moved, as `best` says.
 double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles& roles, const Candidate* best,
-                           const PoseSequence& track, const MotionDetector* detector, double log_odds) {
+                           const PoseSequence& track, const MotionDetector* detector, double log_odds,
+                           const ArticulationConfig& config) {
   if (!best) return 0;
   if (!roles.still) return 1;
   const double odds = advantage(*best, *roles.still, track), moved = logistic(odds);
   if (!best->plausible) return std::min(moved, 0.5);
-  if (!detector) return std::max(moved, kEvident);
+  // Poses that neither rest nor any path explains have moved all the same.
+  const bool unexplained = track.orientation_weights.empty() && !explains(*roles.still, config) && !explains(*best, config);
+  if (!detector || unexplained) return std::max(moved, kEvident);
   if (isSureOfJoint(candidates, *best) && detector->isEvidentEarly(*best->model, best->residuals, track))
     return std::max(moved, kEvident);
   return odds >= log_odds && detector->passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
@@ -147,7 +135,7 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseSequence& tr
   const bool open = roles.free && !explains(*roles.moving, config);
   const double beyond = open ? logistic(advantage(*roles.free, *roles.moving, track)) : 0;
   const Candidate* best = beyond > 0.5 ? roles.free : roles.moving;
-  const double moved = probabilityOfMotion(*candidates, roles, best, track, detector, log_odds);
+  const double moved = probabilityOfMotion(*candidates, roles, best, track, detector, log_odds, config);
   Selection selection;
   if (best) selection.log_odds = roles.still ? advantage(*best, *roles.still, track) : std::numeric_limits<double>::infinity();
   selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);

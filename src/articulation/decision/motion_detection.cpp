@@ -222,7 +222,7 @@ double MotionDetector::significance(const Eigen::Vector3d& way, const Eigen::Vec
 /// Is the path of a point of the outline much longer than its jitter and its distance from where the model says?
 bool MotionDetector::standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const {
   return path >= config_.motion_to_jitter * jitter_[point] &&
-         path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], 3 * config_.sigma_position);
+         path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], 3 * sigmaPosition(poses, config_));
 }
 
 }  // namespace cabinet_articulation::core

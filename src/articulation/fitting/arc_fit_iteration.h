@@ -105,7 +105,7 @@ class ArcFitIteration {
     constexpr double kInside = 1.02;
     Arc inside = arc;
     const double size = std::abs(arc.curvature);
-    if (size == 1 / config_.radius_max) inside.curvature *= kInside;
+    if (size == 1 / radiusMax(samples_, config_)) inside.curvature *= kInside;
     if (size == 1 / config_.radius_min) inside.curvature /= kInside;
     if (inside.curvature == arc.curvature) return false;
     const double cost = arcCost<kWithOrientation>(samples_, arc, &noise);
@@ -113,7 +113,8 @@ class ArcFitIteration {
   }
 
   double limitedCurvature(const Arc& arc) const {
-    return std::copysign(std::clamp(std::abs(arc.curvature), 1 / config_.radius_max, 1 / config_.radius_min), arc.curvature);
+    return std::copysign(std::clamp(std::abs(arc.curvature), 1 / radiusMax(samples_, config_), 1 / config_.radius_min),
+                         arc.curvature);
   }
   bool isLeaving(const Arc& arc, Curvature curvature) const {
     return curvature == Curvature::kFree && arc.curvature != limitedCurvature(arc);

@@ -25,8 +25,8 @@ class CurveFitter {
   CurveFitter(const PoseSamples& samples, const std::vector<double>& q, const ArticulationConfig& config)
       : samples_(samples), config_(config), values_(static_cast<Eigen::Index>(samples.size()), 7), near_(samples.size(), 1) {
     fit_.q = q;
-    fit_.position_scale = config.sigma_position;
-    fit_.orientation_scale = config.sigma_orientation;
+    fit_.position_scale = sigmaPosition(samples, config);
+    fit_.orientation_scale = sigmaOrientation(samples, config);
     weights_.assign(samples.size(), 1);
     Eigen::Vector4d last = samples.orientations.front().coeffs();
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -113,7 +113,7 @@ class CurveFitter {
 
   /// Places, scales and weights from knots.
   void measure() {
-    const double limit = 3 * config_.sigma_position;
+    const double limit = 3 * sigmaPosition(samples_, config_);
     const double metres_per_radian = metresPerRadian();
     std::vector<double> distances, angles;
     fit_.cost = 0;
@@ -145,7 +145,7 @@ class CurveFitter {
       if (samples_.has_orientation) square += std::pow(angles[i] / fit_.orientation_scale, 2);
       const int dimensions = samples_.has_orientation ? 5 : 2;
       weights_[i] = (nu + dimensions) / (nu + square);
-      near_[i] = distances[i] <= std::max(3 * config_.sigma_position, 5 * fit_.position_scale);
+      near_[i] = distances[i] <= std::max(3 * sigmaPosition(samples_, config_), 5 * fit_.position_scale);
     }
   }
 

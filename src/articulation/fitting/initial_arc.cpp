@@ -122,13 +122,13 @@ Arc consensusArc(const PoseSamples& samples, PathShape shape, const Articulation
     points.push_back(samples.positions[count < 2 ? 0 : i * (samples.size() - 1) / (count - 1)]);
   const Scatter scatter = scatterOf(points);
   Arc best = shape == PathShape::kLine ? lineThrough(scatter.mean, scatter.axes.col(0)) : algebraicCircle(points, scatter);
-  double best_score = disagreement(best, points, config.sigma_position);
+  double best_score = disagreement(best, points, sigmaPosition(samples, config));
   std::mt19937 random(static_cast<std::uint32_t>(config.seed));
   const auto draw = [&]() -> const Eigen::Vector3d& { return points[random() % points.size()]; };
   for (int i = 0; i < kHypotheses; ++i) {
     const Eigen::Vector3d &a = draw(), &b = draw(), &c = draw();
     const Arc arc = shape == PathShape::kLine ? lineThrough(a, b - a) : circleThrough(a, b, c);
-    const double score = disagreement(arc, points, config.sigma_position);
+    const double score = disagreement(arc, points, sigmaPosition(samples, config));
     if (score < best_score) {
       best_score = score;
       best = arc;
@@ -161,7 +161,7 @@ Arc turningCircle(const PoseSamples& samples, const ArticulationConfig& config) 
   const Eigen::Vector3d inverse(0, 1 / (solver.eigenvalues()[1] + kLeastTurn), 1 / (solver.eigenvalues()[2] + kLeastTurn));
   const Eigen::Vector3d to_axis = solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose() * right;
   const Eigen::Vector3d center = mean + mean_rotation * to_axis;
-  const double radius = std::clamp(to_axis.norm(), config.radius_min, config.radius_max);
+  const double radius = std::clamp(to_axis.norm(), config.radius_min, radiusMax(samples, config));
   return centeredOn(samples, arcAround(center, axis, radius, mean));
 }
 

@@ -46,14 +46,16 @@ class WorkSchedule {
   /// For the fit of one joint: steps of an arc, or one round of a curve.
   WorkBudget fit(std::size_t poses) const { return budget(kFitWork, poses); }
 
-  /// For the comparison of joint types, all joints together.
-  WorkBudget comparison(std::size_t poses) const { return budget(kComparisonWork, poses); }
+  /// For the comparison of so many joint types, all together.
+  WorkBudget comparison(std::size_t joints, std::size_t poses) const {
+    return budget(kComparisonWork * static_cast<int>(joints) / 2, poses);
+  }
 
   /// Whether the next of the joints that are not the best so far keeps its last fit: every second, in turn.
   bool nextRests(std::size_t poses) { return !everything_ && poses > kTurnPoses && ++turn_ % 2 == 1; }
 
  private:
-  // Poses times steps, each some 0.5 us (measured): 0.08 ms a joint, and 0.18 ms to compare them.
+  // Poses times steps, each some 0.5 us (measured): 0.08 ms a joint, and 0.18 ms to compare two.
   static constexpr int kFitWork = 160;
   static constexpr int kComparisonWork = 360;
 

@@ -52,7 +52,7 @@ void ArcModel::continueFit(const PoseSequence& track, const PoseSamples& samples
   if (fresh_) return continueBesidesFresh(samples, leaves ? 0 : (steps + ++updates_ % 2) / 2, steps);
   fit_ = fitArc(samples, shape_, fit_, FitEffort::continued(steps), config_);
   if (leaves || 10 * ++updates_ > static_cast<int>(samples.size())) {
-    fresh_ = ArcFit{startOf(PoseSamples(thinned(track))), config_.sigma_position, config_.sigma_orientation_floor};
+    fresh_ = ArcFit{startOf(PoseSamples(thinned(track))), sigmaPosition(track, config_), config_.sigma_orientation_floor};
     updates_ = fresh_steps_ = 0;
   }
 }
@@ -101,8 +101,9 @@ void ArcModel::orient(const PoseSamples& samples) {
   };
   double min = std::numeric_limits<double>::infinity(), max = -min;
   double first = std::numeric_limits<double>::quiet_NaN();
+  const double limit = 3 * sigmaPosition(samples, config_);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (arc_.squaredDistance(samples.positions[i]) > 9 * config_.sigma_position * config_.sigma_position) continue;
+    if (arc_.squaredDistance(samples.positions[i]) > limit * limit) continue;
     const double s = lengthOf(i);
     if (std::isnan(first)) first = s;
     min = std::min(min, s);

@@ -105,18 +105,19 @@ ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
   ModelResiduals residuals;
   residuals.q = configurations(track);
   const bool weighted = track.has_orientation && !track.position_weights.empty();
+  const double sigma_position = sigmaPosition(track, config_), sigma_orientation = sigmaOrientation(track, config_);
   for (std::size_t i = 0; i < track.size(); ++i) {
     const Eigen::Isometry3d predicted = predict(residuals.q[i]);
     Eigen::Vector3d position = track.poses[i].translation() - predicted.translation();
     Eigen::Vector3d orientation = Eigen::Vector3d::Zero();
     if (track.has_orientation)
       orientation = rotationVector(Eigen::Quaterniond(track.poses[i].linear() * predicted.linear().transpose()));
-    double displaced = position.norm() / config_.sigma_position, turned = orientation.norm() / config_.sigma_orientation;
+    double displaced = position.norm() / sigma_position, turned = orientation.norm() / sigma_orientation;
     if (weighted) {
       position = track.position_weights[i] * position;
       orientation = track.orientation_weights[i] * orientation;
       displaced = std::min(displaced, position.norm() / config_.sigma_plane);
-      turned = std::min(turned, orientation.norm() / config_.sigma_orientation);
+      turned = std::min(turned, orientation.norm() / sigma_orientation);
     }
     residuals.displaced.push_back(displaced);
     residuals.turned.push_back(turned);
@@ -125,7 +126,7 @@ ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
   }
   constexpr double kStep = 1e-3;
   const double speed = (predict(kStep).translation() - predict(0).translation()).norm() / kStep;
-  std::tie(residuals.q_min, residuals.q_max) = observedRange(residuals, 3 * config_.sigma_position, std::max(speed, 1e-6));
+  std::tie(residuals.q_min, residuals.q_max) = observedRange(residuals, 3 * sigma_position, std::max(speed, 1e-6));
   if (moves() && track.size() > 0) {
     // Successive poses tell one turn from the next: the place within a turn is what is free.
     const double once = traits().turns ? std::min(residuals.q_max, residuals.q_min + 2 * M_PI) : residuals.q_max;
@@ -136,8 +137,8 @@ ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
 }
 
 double ArticulationModel::logLikelihood(const PoseSequence& track, const ModelResiduals& residuals, double caution) const {
-  const double spread = std::sqrt(2 * M_PI) * config_.sigma_position;  // of one direction's noise
-  const double sigma_orientation = caution * config_.sigma_orientation;
+  const double spread = std::sqrt(2 * M_PI) * sigmaPosition(track, config_);  // of one direction's noise
+  const double sigma_orientation = caution * sigmaOrientation(track, config_);
   const double sigma_plane = kEdgeCaution * config_.sigma_plane;
   std::vector<double> costs;
   for (std::size_t i = 0; i < residuals.q.size(); ++i) {
@@ -152,7 +153,7 @@ double ArticulationModel::logLikelihood(const PoseSequence& track, const ModelRe
 }
 
 double ArticulationModel::costOfFreedom(const PoseSequence& track, const ModelResiduals& residuals) const {
-  const double spread = std::sqrt(2 * M_PI) * config_.sigma_position;  // of the noise along the path
+  const double spread = std::sqrt(2 * M_PI) * sigmaPosition(track, config_);  // of the noise along the path
   const double scale = config_.sigma_position / (kEdgeCaution * config_.sigma_plane);
   // Eq. (6): the integral over q of a density 1 / path takes the noise along the path out and puts 1 / path in.
   const double uniform = std::log(std::max(residuals.path, 1e-9) / spread);

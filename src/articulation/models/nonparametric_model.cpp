@@ -71,7 +71,7 @@ void NonparametricModel::take(const CurveFit& fit, const PoseSequence& track) {
   double first = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < track.size() && std::isnan(first); ++i) {
     const double q = fit.curve.nearest(track.poses[i], metres_per_radian_);
-    if ((fit.curve.pose(q).translation() - track.poses[i].translation()).norm() <= 3 * config_.sigma_position) first = q;
+    if ((fit.curve.pose(q).translation() - track.poses[i].translation()).norm() <= 3 * sigmaPosition(track, config_)) first = q;
   }
   if (std::isnan(first)) first = fit.curve.nearest(track.poses.front(), metres_per_radian_);
   const auto knots = static_cast<std::size_t>(fit.covariance.rows());

@@ -31,6 +31,7 @@ bool RigidModel::fit(const PoseSequence& track, const WorkBudget&) {
   Eigen::Vector3d position = medianPosition(samples);
   Eigen::Quaterniond orientation = samples.orientations[samples.size() / 2];
   const double nu = config_.degrees_of_freedom;
+  const double sigma_position = sigmaPosition(track, config_), sigma_orientation = sigmaOrientation(track, config_);
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Matrix3d information = 1e-9 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d sum = 1e-9 * position;
@@ -39,13 +40,13 @@ bool RigidModel::fit(const PoseSequence& track, const WorkBudget&) {
       Eigen::Matrix3d weight = Eigen::Matrix3d::Identity();
       if (weighted) weight = samples.position_weights[i] * samples.position_weights[i];
       const Eigen::Vector3d away = samples.positions[i] - position;
-      const double square = away.dot(weight * away) / (config_.sigma_position * config_.sigma_position);
+      const double square = away.dot(weight * away) / (sigma_position * sigma_position);
       weight *= (nu + 3) / (nu + square);
       information += weight;
       sum += weight * samples.positions[i];
       Eigen::Vector4d q = samples.orientations[i].coeffs();
       if (q.dot(orientation.coeffs()) < 0) q = -q;
-      const double angle = samples.orientations[i].angularDistance(orientation) / config_.sigma_orientation;
+      const double angle = samples.orientations[i].angularDistance(orientation) / sigma_orientation;
       orientation_sum += q * (nu + 3) / (nu + angle * angle);
     }
     const Eigen::Vector3d last = position;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/models/rotational_model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/cross_matrix.h"
@@ -11,7 +12,16 @@ namespace {
 /// What a front's place says about q against its turn: 3 mm weigh as much as 0.1 rad.
 constexpr double kMetresPerRadian = 0.03;
 
+/// [m] Distance of a front's observed point from its hinge beyond which doors become rare, and the standard deviation of its
+/// logarithm there: the doors of cabinets are up to 0.6 m wide, those of appliances 0.75 m, of rooms 0.9 m (ours).
+constexpr double kTypicalRadius = 0.4, kRadiusSpread = 0.4;
+
 }  // namespace
+
+double RotationalModel::logPrior() const {
+  const double wider = std::max(0.0, std::log(arc_.radius() / kTypicalRadius));
+  return -0.5 * std::pow(wider / kRadiusSpread, 2);
+}
 
 JointGeometry RotationalModel::geometry() const { return {arc_.axis(), arc_.center(), arc_.radius(), 0}; }
 

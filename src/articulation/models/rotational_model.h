@@ -20,6 +20,7 @@ class RotationalModel : public ArcModel {
 
   const JointTraits& traits() const override { return kTraits; }
   int complexity(bool with_orientation) const override { return with_orientation ? 9 : 6; }
+  double logPrior() const override;
   JointGeometry geometry() const override;
   Matrix6d covariance(const PoseSequence& track, const Eigen::Vector3d& p, double correlation) const override;
   std::vector<ModelParam> parameters() const override;

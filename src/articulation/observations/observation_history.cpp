@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "articulation/observations/observation_covariance.h"
+#include "articulation/paths/arc.h"
+#include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
+
+constexpr std::size_t kLeastForJitter = 10;  ///< poses whose median step back tells the noise
 
 bool isRotation(const Eigen::Matrix3d& R) {
   return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && R.determinant() > 0;
@@ -25,7 +30,7 @@ Eigen::Matrix3d weightOf(const Eigen::Matrix3d& covariance, double sigma) {
 
 }  // namespace
 
-void ObservationHistory::append(const TrackedObservation& observation, std::vector<Entry>* entries) const {
+void ObservationHistory::append(const TrackedObservation& observation, std::vector<Entry>* entries) {
   const Rectangle& rectangle = observation.rectangle;
   if (!std::isfinite(observation.stamp) || observation.stamp < not_before_) return;
   if (!std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
@@ -45,7 +50,22 @@ void ObservationHistory::append(const TrackedObservation& observation, std::vect
     entry.position_weight = weightOf(covariance.topLeftCorner<3, 3>(), config_.sigma_plane);
     entry.orientation_weight = weightOf(covariance.bottomRightCorner<3, 3>(), config_.sigma_orientation);
   }
+  if (!entry.weighted) {
+    const AmbiguousTurns::Resolved resolved = turns_.resolve(entry.center);
+    entry.center = resolved.pose;
+    if (resolved.swaps_sides) std::swap(entry.width, entry.height);
+  }
   entries->push_back(entry);
+}
+
+/// Whatever description the first pose came in, the most frequent one is right.
+void ObservationHistory::redescribe(const AmbiguousTurns::Description& description, std::vector<Entry>* entries) {
+  for (Entry& entry : *entries) {
+    if (entry.weighted) continue;
+    entry.center = description(entry.center);
+    if (description.swapsSides()) std::swap(entry.width, entry.height);
+  }
+  turns_.redescribe(description);
 }
 
 /// Index of the first observation that is new. Nothing if this is another track than that of the last update.
@@ -76,9 +96,11 @@ void ObservationHistory::dropBefore(double stamp) {
 bool ObservationHistory::update(const Track& track) {
   const std::optional<std::size_t> continued = firstNew(track);
   std::vector<Entry> fresh;
+  if (!continued) turns_ = AmbiguousTurns(config_.sigma_position, config_.sigma_orientation);
   for (std::size_t i = continued.value_or(0); i < track.observations.size(); ++i) append(track.observations[i], &fresh);
   if (!continued) {
     if (fresh.empty()) return false;
+    redescribe(turns_.most(), &fresh);
     entries_.clear();
   } else if (*continued < observations_) {
     leaveOutWhatIsNotIn(track);
@@ -91,6 +113,7 @@ bool ObservationHistory::update(const Track& track) {
   measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);
   weighted_ =
       config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
+  measureJitter();
   size_ << track.width, track.height;
   revision_ = track.revision;
   observations_ = track.observations.size();
@@ -159,6 +182,38 @@ void ObservationHistory::measureWay(std::size_t from) {
   }
 }
 
+/// What leads back where it came from is noise: a front that is moved hardly turns round within a few poses. Noise that some
+/// tracker has smoothed shows over more poses than one.
+void ObservationHistory::measureJitter() {
+  position_jitter_ = orientation_jitter_ = 0;
+  if (weighted_) return;
+  for (const std::size_t lag : {1, 2, 4, 8}) {
+    if (entries_.size() < kLeastForJitter * lag) break;
+    const auto [position, orientation] = jitterOver(lag);
+    position_jitter_ = std::max(position_jitter_, position);
+    orientation_jitter_ = std::max(orientation_jitter_, orientation);
+  }
+}
+
+std::pair<double, double> ObservationHistory::jitterOver(std::size_t lag) const {
+  constexpr std::size_t kTriples = 200;   // enough for a median
+  constexpr double kToSigma = 1 / 1.475;  // of noise with that standard deviation in each of three directions
+  std::vector<double> back, back_turns;
+  const auto turnTo = [&](std::size_t i) {
+    const Eigen::Matrix3d turn = entries_[i].center.linear() * entries_[i - lag].center.linear().transpose();
+    return rotationVector(Eigen::Quaterniond(turn));
+  };
+  const std::size_t stride = std::max<std::size_t>(1, entries_.size() / kTriples);
+  for (std::size_t i = lag; i + lag < entries_.size(); i += stride) {
+    const Eigen::Vector3d here = entries_[i].center.translation();
+    const Eigen::Vector3d step = here - entries_[i - lag].center.translation(),
+                          next = entries_[i + lag].center.translation() - here;
+    back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
+    back_turns.push_back(std::sqrt(std::max(0.0, -turnTo(i).dot(turnTo(i + lag)))));
+  }
+  return {kToSigma * median(std::move(back)), kToSigma * median(std::move(back_turns))};
+}
+
 PoseSequence ObservationHistory::since(ReferencePoint point, double stamp) const {
   const auto later = [](double value, const Entry& entry) { return value < entry.stamp; };
   const auto first = std::upper_bound(entries_.begin(), entries_.end(), stamp, later);
@@ -170,6 +225,9 @@ PoseSequence ObservationHistory::since(ReferencePoint point, double stamp) const
 PoseSequence ObservationHistory::picked(ReferencePoint point, const std::vector<std::size_t>& indices) const {
   PoseSequence track;
   track.has_orientation = config_.use_orientation;
+  track.is_marker = size_.minCoeff() <= 0;
+  track.position_jitter = position_jitter_;
+  track.orientation_jitter = orientation_jitter_;
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
   if (size_.minCoeff() > 0) track.hinge = {config_.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
   track.stamps.reserve(indices.size());

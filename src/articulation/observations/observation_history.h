@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "articulation/observations/ambiguous_turns.h"
 #include "articulation/observations/pose_sequence.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/tracking/track.h"
@@ -25,7 +27,8 @@ struct ReferencePoint {
 /// is new.
 class ObservationHistory {
  public:
-  explicit ObservationHistory(const ArticulationConfig& config) : config_(config) {}
+  explicit ObservationHistory(const ArticulationConfig& config)
+      : config_(config), turns_(config.sigma_position, config.sigma_orientation) {}
 
   /// Takes over what the track has now. False, and nothing changes, if it has no usable observation.
   bool update(const Track& track);
@@ -71,15 +74,20 @@ class ObservationHistory {
   std::optional<std::size_t> firstNew(const Track& track) const;
   void leaveOutWhatIsNotIn(const Track& track);
   void measureWay(std::size_t from);
+  void measureJitter();
+  std::pair<double, double> jitterOver(std::size_t lag) const;
   std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
   PoseSequence picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
-  void append(const TrackedObservation& observation, std::vector<Entry>* entries) const;
+  void append(const TrackedObservation& observation, std::vector<Entry>* entries);
+  void redescribe(const AmbiguousTurns::Description& description, std::vector<Entry>* entries);
 
   ArticulationConfig config_;
   std::vector<Entry> entries_;
   Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero();
+  AmbiguousTurns turns_;
   bool weighted_ = false;
-  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();  ///< [m] width and height, estimated over the track
+  double position_jitter_ = 0, orientation_jitter_ = 0;  ///< [m], [rad] as in PoseSequence
+  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();       ///< [m] width and height, estimated over the track
   // What of the track was taken over.
   std::uint32_t revision_ = 0;
   std::size_t observations_ = 0;

@@ -8,6 +8,9 @@ PoseSequence selected(const PoseSequence& track, const std::vector<std::size_t>&
   out.has_orientation = track.has_orientation;
   out.outline = track.outline;
   out.hinge = track.hinge;
+  out.is_marker = track.is_marker;
+  out.position_jitter = track.position_jitter;
+  out.orientation_jitter = track.orientation_jitter;
   const auto pick = [&indices](const auto& from, auto* to) {
     to->reserve(indices.size());
     for (std::size_t i : indices)
@@ -22,7 +25,12 @@ PoseSequence selected(const PoseSequence& track, const std::vector<std::size_t>&
   return out;
 }
 
-PoseSamples::PoseSamples(const PoseSequence& track) : has_orientation(track.has_orientation), hinge(track.hinge) {
+PoseSamples::PoseSamples(const PoseSequence& track)
+    : has_orientation(track.has_orientation),
+      hinge(track.hinge),
+      position_jitter(track.position_jitter),
+      orientation_jitter(track.orientation_jitter),
+      is_marker(track.is_marker) {
   positions.reserve(track.size());
   orientations.reserve(track.size());
   for (const Eigen::Isometry3d& pose : track.poses) {

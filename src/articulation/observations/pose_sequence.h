@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "articulation/paths/hinge_prior.h"
+#include "cabinet_articulation/articulation/articulation_config.h"
 
 namespace cabinet_articulation::core {
 
@@ -20,6 +22,9 @@ struct PoseSequence {
   /// everything was observed. Ignored without orientation.
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;
+  /// [m], [rad] Standard deviation in each direction from one pose to the next, where they do not say how certain they are.
+  double position_jitter = 0, orientation_jitter = 0;
+  bool is_marker = false;           ///< the front's size is not known
   HingePrior hinge;                 ///< needs orientations
   std::vector<float> edge_support;  ///< share of the edges seen, per pose; not a number: not known
   /// Points of the front, in its own frame as seen from the reference point, whose motion is looked at.
@@ -31,6 +36,16 @@ struct PoseSequence {
   bool startsRun(std::size_t i) const { return i == 0 || (!run_starts.empty() && run_starts[i]); }
   std::size_t size() const { return poses.size(); }
 };
+
+/// [m], [rad] Standard deviation of a pose that does not say how certain it is: at least what the configuration says.
+template <class Poses>
+double sigmaPosition(const Poses& poses, const ArticulationConfig& config) {
+  return std::max(config.sigma_position, poses.position_jitter);
+}
+template <class Poses>
+double sigmaOrientation(const Poses& poses, const ArticulationConfig& config) {
+  return std::max(config.sigma_orientation, poses.orientation_jitter);
+}
 
 /// The poses of these indices, which ascend. run_starts are taken over as they are.
 PoseSequence selected(const PoseSequence& track, const std::vector<std::size_t>& indices);
@@ -46,8 +61,15 @@ struct PoseSamples {
   std::vector<Eigen::Matrix3d> orientation_weights;
   std::vector<char> run_starts;  ///< one for each pose
   HingePrior hinge;
+  double position_jitter, orientation_jitter;
+  bool is_marker;
 
   std::size_t size() const { return positions.size(); }
 };
+
+/// [m] Largest distance of an axis from the observed point.
+inline double radiusMax(const PoseSamples& samples, const ArticulationConfig& config) {
+  return samples.is_marker ? config.marker_radius_max : config.radius_max;
+}
 
 }  // namespace cabinet_articulation::core

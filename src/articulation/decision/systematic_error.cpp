@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/decision/systematic_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geometry/median.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// Systematic error of a path's bow as a share of the noise of its poses, of whose variance a hundredth is common to them all:
+/// that of the bow of a parabola through a hundred poses.
+constexpr double kSystematicBow = 0.34;
+
+constexpr double kRadiusSpread = 0.5;  ///< standard deviation of the logarithm of doors' radii (ours)
+
+/// [m] Of the positions about the path, in each of the two directions across it.
+double positionNoise(const Candidate& candidate) {
+  constexpr double kToSigma = 1 / 1.1774;  // of the median distance in two dimensions
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& residual : candidate.residuals.position) distances.push_back(residual.norm());
+  return kToSigma * median(std::move(distances));
+}
+
+}  // namespace
+
+double bowOfPath(const Candidate& candidate) {
+  constexpr int kSteps = 8;
+  const double q_min = candidate.residuals.q_min, q_max = candidate.residuals.q_max;
+  const Eigen::Vector3d first = candidate.model->predict(q_min).translation();
+  const Eigen::Vector3d chord = candidate.model->predict(q_max).translation() - first;
+  double largest = 0;
+  for (int i = 1; i < kSteps; ++i) {
+    const Eigen::Vector3d p = candidate.model->predict(q_min + (q_max - q_min) * i / kSteps).translation() - first;
+    const Eigen::Vector3d away = chord.norm() > 0 ? Eigen::Vector3d(p - chord * chord.dot(p) / chord.squaredNorm()) : p;
+    largest = std::max(largest, away.norm());
+  }
+  return largest;
+}
+
+double turnAlongPath(const Candidate& candidate) {
+  const Eigen::Matrix3d first = candidate.model->predict(candidate.residuals.q_min).linear();
+  return Eigen::AngleAxisd(first.transpose() * candidate.model->predict(candidate.residuals.q_max).linear()).angle();
+}
+
+double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track,
+                                 const ArticulationConfig& config) {
+  const bool turns = candidate.model->traits().turns && !simpler.model->traits().turns;
+  if (!turns || !track.orientation_weights.empty()) return std::numeric_limits<double>::infinity();
+  const double sigma_bow = kSystematicBow * std::max(config.sigma_position_floor, positionNoise(candidate));
+  const double bends = 0.5 * std::pow(bowOfPath(candidate) / sigma_bow, 2);
+  const double turned = track.has_orientation ? 0.5 * std::pow(turnAlongPath(candidate) / config.sigma_orientation_floor, 2) : 0;
+  // Of all radii that doors have, this many others would be as far from the data: Occam's factor.
+  const double z = std::sqrt(2 * (bends + turned));
+  return bends + turned - std::max(0.0, std::log(kRadiusSpread * z)) + candidate.model->logPrior();
+}
+
+}  // namespace cabinet_articulation::core

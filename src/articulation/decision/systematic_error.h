@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "articulation/decision/candidate.h"
+
+namespace cabinet_articulation::core {
+
+/// [m] Largest distance of the observed path from its chord.
+double bowOfPath(const Candidate& candidate);
+
+/// [rad] Angle by which the front turned along the observed path.
+double turnAlongPath(const Candidate& candidate);
+
+/// [nats] Most that a joint that turns may win over one that does not, where poses do not say how certain they are (ours): views
+/// of a marker change along the way, and with them what its place and its orientation err by. Infinity: no limit.
+double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track,
+                                 const ArticulationConfig& config);
+
+}  // namespace cabinet_articulation::core
