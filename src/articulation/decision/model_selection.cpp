@@ -70,6 +70,11 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
       const double excess = std::max(0.0, candidate.evidence - (roles.moving->evidence + largest));
       candidate.evidence -= excess;
       added -= excess;
+      if (candidate.model->traits().turns && !roles.moving->model->traits().turns && std::isfinite(candidate.evidence)) {
+        const double largest_loss = largestAdvantageOfStraightness(*roles.moving, track, config);
+        const double least = roles.moving->evidence + candidate.model->logPrior() - largest_loss;
+        candidate.evidence = std::max(candidate.evidence, least);
+      }
       if (explains(*roles.moving, config) && !explains(candidate, config))
         candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
       if (!explains(*roles.moving, config) && explains(candidate, config))

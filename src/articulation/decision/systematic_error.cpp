@@ -16,6 +16,7 @@ namespace {
 /// that of the bow of a parabola through a hundred poses.
 constexpr double kSystematicBow = 0.34;
 
+constexpr double kWideDoor = 0.6;      ///< [m] radius that few doors of cabinets exceed (ours)
 constexpr double kRadiusSpread = 0.5;  ///< standard deviation of the logarithm of doors' radii (ours)
 
 /// [m] Of the positions about the path, in each of the two directions across it.
@@ -57,6 +58,15 @@ double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& si
   // Of all radii that doors have, this many others would be as far from the data: Occam's factor.
   const double z = std::sqrt(2 * (bends + turned));
   return bends + turned - std::max(0.0, std::log(kRadiusSpread * z)) + candidate.model->logPrior();
+}
+
+double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config) {
+  if (!track.orientation_weights.empty()) return std::numeric_limits<double>::infinity();
+  const double way = simpler.residuals.path, bow = way * way / (8 * kWideDoor);
+  // A path may also bend because a gripper slips.
+  const double sigma_bow = std::hypot(kSystematicBow * positionNoise(simpler), config.sagitta_min / 2);
+  const double turned = track.has_orientation ? way / kWideDoor / config.sigma_orientation_floor : 0;
+  return 0.5 * (std::pow(bow / std::max(sigma_bow, config.sigma_position_floor), 2) + turned * turned);
 }
 
 }  // namespace cabinet_articulation::core

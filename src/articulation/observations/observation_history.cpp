@@ -14,6 +14,10 @@
 namespace cabinet_articulation::core {
 namespace {
 
+/// Poses at rest that say as much as poses on the way; of more, each says less than the one before, so that no
+/// rest, however long, outweighs a motion (ours).
+constexpr double kShortRest = 100;
+
 constexpr std::size_t kLeastForJitter = 10;  ///< poses whose median step back tells the noise
 
 bool isRotation(const Eigen::Matrix3d& R) {
@@ -131,11 +135,18 @@ double ObservationHistory::sizeDeviation() const {
 }
 
 PoseSequence ObservationHistory::evenlySpaced(ReferencePoint point, std::size_t count) const {
-  std::size_t stride = 1;
-  while (entries_.size() > count * stride) stride *= 2;
   std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < entries_.size(); i += stride) indices.push_back(i);
-  if (!entries_.empty()) indices.back() = entries_.size() - 1;
+  const auto add = [&indices](std::size_t i) { indices.push_back(i); };
+  if (entries_.size() <= count) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) add(i);
+    return picked(point, indices);
+  }
+  double stride = 1;
+  while (entries_.back().place > static_cast<double>(count - 2) * stride) stride *= 2;
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (i == 0 || std::floor(entries_[i].place / stride) > std::floor(entries_[i - 1].place / stride)) add(i);
+  // The newest takes the place of the one before until that is a place of its own.
+  if (indices.back() + 1 != entries_.size()) add(entries_.size() - 1);
   return picked(point, indices);
 }
 
@@ -172,13 +183,18 @@ std::vector<std::size_t> ObservationHistory::runStarts(std::size_t runs, std::si
 }
 
 void ObservationHistory::measureWay(std::size_t from) {
-  if (from == 0) way_anchor_ = entries_.front().center.translation();
+  if (from == 0) way_anchor_ = rest_anchor_ = entries_.front().center.translation();
   for (std::size_t i = from; i < entries_.size(); ++i) {
     const double step = (entries_[i].center.translation() - way_anchor_).norm();
-    entries_[i].way = i > 0 ? entries_[i - 1].way : 0;
-    if (step < config_.sigma_position) continue;
-    entries_[i].way += step;
-    way_anchor_ = entries_[i].center.translation();
+    const Entry before = i > 0 ? entries_[i - 1] : Entry();
+    Entry& entry = entries_[i];
+    const bool goes_on = step >= config_.sigma_position;
+    entry.way = before.way + (goes_on ? step : 0);
+    if (goes_on) way_anchor_ = entry.center.translation();
+    const bool rests = (entry.center.translation() - rest_anchor_).norm() < 3 * config_.sigma_position;
+    entry.rested = rests ? before.rested + 1 : 0;
+    if (!rests) rest_anchor_ = entry.center.translation();
+    entry.place = i > 0 ? before.place + 1 / (1 + entry.rested / kShortRest) : 0;
   }
 }
 

@@ -44,7 +44,7 @@ class ObservationHistory {
   /// [m] Mean deviation of the measured width or height, whichever varies more.
   double sizeDeviation() const;
 
-  /// The track of a reference point, at most `count` poses and more than half as many if there are, evenly spaced, the first
+  /// The track of a reference point, at most `count` poses, evenly spaced but for long rests, of which there are fewer; the first
   /// and the last among them. With another pose they stay the same but for the last, until their spacing doubles. Sizes are
   /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseSequence evenlySpaced(ReferencePoint point, std::size_t count) const;
@@ -62,13 +62,15 @@ class ObservationHistory {
 
  private:
   struct Entry {
-    double stamp;
-    Eigen::Isometry3d center;
-    double width, height;
-    float edge_support;
-    bool weighted;
+    double stamp = 0;
+    Eigen::Isometry3d center = Eigen::Isometry3d::Identity();
+    double width = 0, height = 0;
+    float edge_support = 0;
+    bool weighted = false;
     Eigen::Matrix3d position_weight, orientation_weight;
-    double way = 0;  ///< [m] that the centre went from the first pose to here, in steps of sigma_position or more
+    double rested = 0;  ///< poses since the centre went on by 3 sigma_position
+    double place = 0;   ///< by which poses are evenly spaced: their number, where long rests count less
+    double way = 0;     ///< [m] that the centre went from the first pose to here, in steps of sigma_position or more
   };
 
   std::optional<std::size_t> firstNew(const Track& track) const;
@@ -83,7 +85,7 @@ class ObservationHistory {
 
   ArticulationConfig config_;
   std::vector<Entry> entries_;
-  Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero(), rest_anchor_ = way_anchor_;
   AmbiguousTurns turns_;
   bool weighted_ = false;
   double position_jitter_ = 0, orientation_jitter_ = 0;  ///< [m], [rad] as in PoseSequence
