@@ -27,6 +27,17 @@ double positionNoise(const Candidate& candidate) {
   return kToSigma * median(std::move(distances));
 }
 
+/// [m] Of the bow of a path. A path may also bend because a gripper slips.
+double sigmaBow(const Candidate& candidate, const ArticulationConfig& config) {
+  const double noise = std::max(config.sigma_position_floor, positionNoise(candidate));
+  return std::hypot(kSystematicBow * noise, config.sagitta_min / 2);
+}
+
+/// [rad] Of the turn along a path. Planes tell orientations better than markers do.
+double sigmaTurn(const PoseSequence& track, const ArticulationConfig& config) {
+  return track.is_marker ? config.sigma_orientation_floor : std::min(config.sigma_orientation, config.sigma_orientation_floor);
+}
+
 }  // namespace
 
 double bowOfPath(const Candidate& candidate) {
@@ -52,9 +63,8 @@ double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& si
                                  const ArticulationConfig& config) {
   const bool turns = candidate.model->traits().turns && !simpler.model->traits().turns;
   if (!turns || !track.orientation_weights.empty()) return std::numeric_limits<double>::infinity();
-  const double sigma_bow = kSystematicBow * std::max(config.sigma_position_floor, positionNoise(candidate));
-  const double bends = 0.5 * std::pow(bowOfPath(candidate) / sigma_bow, 2);
-  const double turned = track.has_orientation ? 0.5 * std::pow(turnAlongPath(candidate) / config.sigma_orientation_floor, 2) : 0;
+  const double bends = 0.5 * std::pow(bowOfPath(candidate) / sigmaBow(candidate, config), 2);
+  const double turned = track.has_orientation ? 0.5 * std::pow(turnAlongPath(candidate) / sigmaTurn(track, config), 2) : 0;
   // Of all radii that doors have, this many others would be as far from the data: Occam's factor.
   const double z = std::sqrt(2 * (bends + turned));
   return bends + turned - std::max(0.0, std::log(kRadiusSpread * z)) + candidate.model->logPrior();
@@ -63,10 +73,8 @@ double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& si
 double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config) {
   if (!track.orientation_weights.empty()) return std::numeric_limits<double>::infinity();
   const double way = simpler.residuals.path, bow = way * way / (8 * kWideDoor);
-  // A path may also bend because a gripper slips.
-  const double sigma_bow = std::hypot(kSystematicBow * positionNoise(simpler), config.sagitta_min / 2);
-  const double turned = track.has_orientation ? way / kWideDoor / config.sigma_orientation_floor : 0;
-  return 0.5 * (std::pow(bow / std::max(sigma_bow, config.sigma_position_floor), 2) + turned * turned);
+  const double turned = track.has_orientation ? way / kWideDoor / sigmaTurn(track, config) : 0;
+  return 0.5 * (std::pow(bow / sigmaBow(simpler, config), 2) + turned * turned);
 }
 
 }  // namespace cabinet_articulation::core
