@@ -76,7 +76,8 @@ ArticulationConfig paperArticulation() {
   config.radius_max = config.marker_radius_max = 10;
   // Eq. (11) decides alone.
   config.sagitta_min = config.turn_min = config.edge_support_min = 0;
-  config.motion_min = config.motion_to_noise = config.motion_to_jitter = config.motion_to_sigma = 0;
+  config.motion_min = config.motion_to_noise = config.motion_to_jitter = 0;
+  config.rest_odds = 1e-6;
   config.outlier_share_max = 1;
   config.deviation_max = 100;
   config.covariance_factor = 1;

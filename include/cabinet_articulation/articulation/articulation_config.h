@@ -29,7 +29,7 @@ struct ArticulationConfig {
   double motion_min = 0.03;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
-  double motion_to_sigma = 2.5;
+  double rest_odds = 1000;
   double edge_support_min = 0.5;
   int observations_min = 2;
   double outlier_share_max = 0.3;
@@ -80,9 +80,9 @@ struct ArticulationConfig {
     visit(
         "motion_to_jitter", self.motion_to_jitter, Range{0, 100}, "",
         "nor shorter than this many times the jitter from one pose to the next (measured: real motions 15 and more, mostly 100)");
-    visit("motion_to_sigma", self.motion_to_sigma, Range{0, 100}, "",
-          "a front seen a few times only moved if it came farther than this many times what its observations say is "
-          "uncertain (measured: arms come up to 2)");
+    visit("rest_odds", self.rest_odds, Range{1e-6, 1e9}, "",
+          "odds beforehand, from a detector that sees all that stands in a room, that a front stays at rest while it is watched "
+          "(ours: one of a thousand moves)");
     visit("edge_support_min", self.edge_support_min, Range{0, 1}, "",
           "a front moves only if the median observation saw this share of its edges (measured: fronts 0.57 and more, clutter "
           "0.45)");

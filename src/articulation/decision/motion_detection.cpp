@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "articulation/observations/observation_covariance.h"
@@ -194,20 +195,22 @@ bool MotionDetector::passes(const ArticulationModel& model, const ModelResiduals
   return false;
 }
 
-bool MotionDetector::isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals,
+double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelResiduals& residuals,
                                     const PoseSequence& poses) const {
-  if (!few_ || covariance_.isZero(0) || !wasSeen(residuals, poses)) return false;
-  if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return false;
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  if (!few_ || covariance_.isZero(0) || !wasSeen(residuals, poses)) return kNever;
+  if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return kNever;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
   const double turn = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
-  if (turn > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return false;
+  if (turn > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return kNever;
+  double farthest = 0;
   const Eigen::Vector3d center = centerOf(poses.outline);
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
-    const bool certain = significance(way, last.linear() * (poses.outline[k] - center)) > config_.motion_to_sigma;
-    if (certain && standsOut(way.norm(), k, residuals, poses)) return true;
+    if (!standsOut(way.norm(), k, residuals, poses)) continue;
+    farthest = std::max(farthest, significance(way, last.linear() * (poses.outline[k] - center)));
   }
-  return false;
+  return farthest > 0 ? 0.5 * farthest * farthest - std::log(config_.rest_odds) : kNever;
 }
 
 /// Mahalanobis distance between two observations of a point that is `lever` away from the front's centre.

@@ -21,6 +21,9 @@ namespace cabinet_articulation::core {
  */
 class MotionDetector {
  public:
+  /// [nats] Motion that is less probable than 0.9 is not called so yet (ours).
+  static constexpr double kLogOdds = 2.2;
+
   static constexpr std::size_t kFew = 6;  ///< fewer poses than this are few
 
   /// `poses` are those of `track`'s front, in the order of their stamps.
@@ -29,11 +32,15 @@ class MotionDetector {
   /// `residuals` are those of `poses`, which may be thinned out.
   bool passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
 
-  /// The same for a front that was seen a few times only, from two on: what counts in place of motion_min is that a point came
-  /// farther than motion_to_sigma times what the observations themselves say is uncertain, no faster than hands are. A front
-  /// that has stood still for longer is not asked, since a plane at rest that takes in a bit of what comes out of it seems to
-  /// turn.
-  bool isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
+  /// [nats] The odds that a front moved that was seen a few times only, from two on: what counts in place of motion_min is how
+  /// far a point came beside what the observations themselves say is uncertain, no faster than hands are; rest_odds are against
+  /// it. A front that has stood still for longer is not asked, since a plane at rest that takes in a bit of what comes out of it
+  /// seems to turn. Minus infinity: nothing can be said so early.
+  double earlyLogOdds(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
+
+  bool isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const {
+    return earlyLogOdds(model, residuals, poses) >= kLogOdds;
+  }
 
   /// [m] Standard deviation of the points of the outline from one frame to the next, in each direction.
   const std::vector<double>& jitter() const { return jitter_; }

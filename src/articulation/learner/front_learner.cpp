@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::size_t kFew = WorkSchedule::kFew;
 
-/// [nats] Motion that is less probable than 0.9 is not called so yet (ours).
-constexpr double kLogOdds = 2.2;
-
 constexpr double kEver = -std::numeric_limits<double>::infinity();  ///< [s] before every observation
 
 double justBefore(double stamp) { return std::nextafter(stamp, kEver); }
@@ -183,8 +180,10 @@ void FrontLearner::learn(const Track& track) {
   std::optional<MotionDetector> detector;
   if (!evidence_.isEstablished()) detector.emplace(track, poses_, config_);
   const MotionDetector* asked = detector ? &*detector : nullptr;
-  // A log is of something that was moved; what has been watched at rest most likely goes on to rest.
+  // A log is of something that was moved. What a detector sees most likely rests, as does what has been watched at rest.
   const bool rested = !placed_anew_ && observations_.size() >= kFew && !learned_.moved;
+  const double of_detector = spaced_.orientation_weights.empty() ? 0 : std::log(config_.rest_odds);
+  const double least_odds = std::max(rested ? JointEvidence::kPriorOdds : MotionDetector::kLogOdds, of_detector);
   compareMotions(asked);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
@@ -192,7 +191,7 @@ void FrontLearner::learn(const Track& track) {
     candidate.plausible = !is_rectangle || !isImplausibleHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   const Candidate* moving = bestMoving(candidates_);
   if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
-  selection_ = selectModel(&candidates_, spaced_, asked, rested ? JointEvidence::kPriorOdds : kLogOdds, config_);
+  selection_ = selectModel(&candidates_, spaced_, asked, least_odds, config_);
 }
 
 /// What the newest observations say of the joint that is known, or was just found. False if it is given up.
