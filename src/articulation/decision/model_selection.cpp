@@ -41,10 +41,44 @@ struct Roles {
   const Candidate* free = nullptr;    ///< a curve of any shape
 };
 
+/// Puts a joint's evidence on one scale with that of a simpler one, to which `added_before` was added: what independent residuals
+/// say, as far as it is no systematic error. What it adds itself.
+double addIndependentEvidence(Candidate* candidate, const Candidate& simpler, double added_before, const PoseSequence& track,
+                              const ArticulationConfig& config) {
+  candidate->evidence += added_before;
+  const double turn_min = track.orientation_weights.empty() ? config.turn_min : 0;
+  const bool bends =
+      bowOfPath(*candidate) >= config.sagitta_min || (track.has_orientation && turnAlongPath(*candidate) >= turn_min);
+  if (!bends) candidate->evidence = std::min(candidate->evidence, simpler.evidence);
+  // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
+  const double difference = independentShare(*candidate) * (candidate->log_likelihood - simpler.log_likelihood);
+  const double added = track.has_orientation ? difference : std::min(0.0, difference);
+  candidate->evidence += added;
+  const double largest =
+      std::min(candidate->model->largestAdvantage(), largestAdvantageOfTurning(*candidate, simpler, track, config));
+  const double excess = std::max(0.0, candidate->evidence - (simpler.evidence + largest));
+  candidate->evidence -= excess;
+  if (candidate->model->traits().turns && !simpler.model->traits().turns && std::isfinite(candidate->evidence)) {
+    const double largest_loss = largestAdvantageOfStraightness(simpler, track, config);
+    candidate->evidence = std::max(candidate->evidence, simpler.evidence + candidate->model->logPrior() - largest_loss);
+  }
+  return added - excess;
+}
+
+/// A joint that does not explain the poses, or cannot be where it is, loses to one that does and can.
+void preferPlausible(Candidate* candidate, const Candidate& simpler, const ArticulationConfig& config) {
+  if (explains(simpler, config) && !explains(*candidate, config))
+    candidate->evidence = std::min(candidate->evidence, simpler.evidence - kImplausible);
+  if (!explains(simpler, config) && explains(*candidate, config))
+    candidate->evidence = std::max(candidate->evidence, simpler.evidence + kImplausible);
+  if (!candidate->plausible && candidate->evidence < simpler.evidence + kImplausible)
+    candidate->evidence = std::min(candidate->evidence, simpler.evidence - kImplausible);
+}
+
 /// Also adds to the evidence of joints what their independent residuals say.
 Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track, const ArticulationConfig& config) {
   Roles roles;
-  double added_before = 0;  // [nats] what was added to the evidence of roles.moving
+  double added_before = 0;  // [nats] to the evidence of roles.moving
   for (Candidate& candidate : *candidates) {
     if (!candidate.model->moves()) {
       roles.still = &candidate;
@@ -56,33 +90,10 @@ Roles assignRoles(std::vector<Candidate>* candidates, const PoseSequence& track,
     }
     double added = 0;
     if (roles.moving) {
-      candidate.evidence += added_before;
-      const double turn_min = track.orientation_weights.empty() ? config.turn_min : 0;
-      const bool bends =
-          bowOfPath(candidate) >= config.sagitta_min || (track.has_orientation && turnAlongPath(candidate) >= turn_min);
-      if (!bends) candidate.evidence = std::min(candidate.evidence, roles.moving->evidence);
-      // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
-      const double difference = independentShare(candidate) * (candidate.log_likelihood - roles.moving->log_likelihood);
-      added = track.has_orientation ? difference : std::min(0.0, difference);
-      candidate.evidence += added;
-      const double largest =
-          std::min(candidate.model->largestAdvantage(), largestAdvantageOfTurning(candidate, *roles.moving, track, config));
-      const double excess = std::max(0.0, candidate.evidence - (roles.moving->evidence + largest));
-      candidate.evidence -= excess;
-      added -= excess;
-      if (candidate.model->traits().turns && !roles.moving->model->traits().turns && std::isfinite(candidate.evidence)) {
-        const double largest_loss = largestAdvantageOfStraightness(*roles.moving, track, config);
-        const double least = roles.moving->evidence + candidate.model->logPrior() - largest_loss;
-        candidate.evidence = std::max(candidate.evidence, least);
-      }
-      if (explains(*roles.moving, config) && !explains(candidate, config))
-        candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
-      if (!explains(*roles.moving, config) && explains(candidate, config))
-        candidate.evidence = std::max(candidate.evidence, roles.moving->evidence + kImplausible);
-      if (!candidate.plausible && candidate.evidence < roles.moving->evidence + kImplausible)
-        candidate.evidence = std::min(candidate.evidence, roles.moving->evidence - kImplausible);
+      added = addIndependentEvidence(&candidate, *roles.moving, added_before, track, config);
+      preferPlausible(&candidate, *roles.moving, config);
+      if (candidate.evidence <= roles.moving->evidence) continue;
     }
-    if (roles.moving && candidate.evidence <= roles.moving->evidence) continue;
     roles.moving = &candidate;
     added_before += added;
   }

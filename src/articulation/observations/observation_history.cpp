@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "articulation/observations/observation_covariance.h"
-#include "articulation/paths/arc.h"
-#include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -17,8 +15,6 @@ namespace {
 /// Poses at rest that say as much as poses on the way; of more, each says less than the one before, so that no
 /// rest, however long, outweighs a motion (ours).
 constexpr double kShortRest = 100;
-
-constexpr std::size_t kLeastForJitter = 10;  ///< poses whose median step back tells the noise
 
 bool isRotation(const Eigen::Matrix3d& R) {
   return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && R.determinant() > 0;
@@ -117,7 +113,7 @@ bool ObservationHistory::update(const Track& track) {
   measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);
   weighted_ =
       config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
-  measureJitter();
+  jitter_ = weighted_ ? PoseJitter() : jitterOf(entries_.size(), [this](std::size_t i) { return entries_[i].center; });
   size_ << track.width, track.height;
   revision_ = track.revision;
   observations_ = track.observations.size();
@@ -198,38 +194,6 @@ void ObservationHistory::measureWay(std::size_t from) {
   }
 }
 
-/// What leads back where it came from is noise: a front that is moved hardly turns round within a few poses. Noise that some
-/// tracker has smoothed shows over more poses than one.
-void ObservationHistory::measureJitter() {
-  position_jitter_ = orientation_jitter_ = 0;
-  if (weighted_) return;
-  for (const std::size_t lag : {1, 2, 4, 8}) {
-    if (entries_.size() < kLeastForJitter * lag) break;
-    const auto [position, orientation] = jitterOver(lag);
-    position_jitter_ = std::max(position_jitter_, position);
-    orientation_jitter_ = std::max(orientation_jitter_, orientation);
-  }
-}
-
-std::pair<double, double> ObservationHistory::jitterOver(std::size_t lag) const {
-  constexpr std::size_t kTriples = 200;   // enough for a median
-  constexpr double kToSigma = 1 / 1.475;  // of noise with that standard deviation in each of three directions
-  std::vector<double> back, back_turns;
-  const auto turnTo = [&](std::size_t i) {
-    const Eigen::Matrix3d turn = entries_[i].center.linear() * entries_[i - lag].center.linear().transpose();
-    return rotationVector(Eigen::Quaterniond(turn));
-  };
-  const std::size_t stride = std::max<std::size_t>(1, entries_.size() / kTriples);
-  for (std::size_t i = lag; i + lag < entries_.size(); i += stride) {
-    const Eigen::Vector3d here = entries_[i].center.translation();
-    const Eigen::Vector3d step = here - entries_[i - lag].center.translation(),
-                          next = entries_[i + lag].center.translation() - here;
-    back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
-    back_turns.push_back(std::sqrt(std::max(0.0, -turnTo(i).dot(turnTo(i + lag)))));
-  }
-  return {kToSigma * median(std::move(back)), kToSigma * median(std::move(back_turns))};
-}
-
 PoseSequence ObservationHistory::since(ReferencePoint point, double stamp) const {
   const auto later = [](double value, const Entry& entry) { return value < entry.stamp; };
   const auto first = std::upper_bound(entries_.begin(), entries_.end(), stamp, later);
@@ -242,8 +206,8 @@ PoseSequence ObservationHistory::picked(ReferencePoint point, const std::vector<
   PoseSequence track;
   track.has_orientation = config_.use_orientation;
   track.is_marker = size_.minCoeff() <= 0;
-  track.position_jitter = position_jitter_;
-  track.orientation_jitter = orientation_jitter_;
+  track.position_jitter = jitter_.position;
+  track.orientation_jitter = jitter_.orientation;
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
   if (size_.minCoeff() > 0) track.hinge = {config_.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
   track.stamps.reserve(indices.size());

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "articulation/observations/ambiguous_turns.h"
+#include "articulation/observations/pose_jitter.h"
 #include "articulation/observations/pose_sequence.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/tracking/track.h"
@@ -76,8 +76,6 @@ class ObservationHistory {
   std::optional<std::size_t> firstNew(const Track& track) const;
   void leaveOutWhatIsNotIn(const Track& track);
   void measureWay(std::size_t from);
-  void measureJitter();
-  std::pair<double, double> jitterOver(std::size_t lag) const;
   std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
   PoseSequence picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries);
@@ -88,8 +86,8 @@ class ObservationHistory {
   Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero(), rest_anchor_ = way_anchor_;
   AmbiguousTurns turns_;
   bool weighted_ = false;
-  double position_jitter_ = 0, orientation_jitter_ = 0;  ///< [m], [rad] as in PoseSequence
-  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();       ///< [m] width and height, estimated over the track
+  PoseJitter jitter_;
+  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();  ///< [m] width and height, estimated over the track
   // What of the track was taken over.
   std::uint32_t revision_ = 0;
   std::size_t observations_ = 0;

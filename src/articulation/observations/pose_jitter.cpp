@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "articulation/observations/pose_jitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "articulation/paths/arc.h"
+#include "geometry/median.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr std::size_t kLeastPoses = 10;  ///< for each pose of a step: their median step back tells the noise
+constexpr std::size_t kTriples = 200;    ///< enough for a median
+constexpr double kToSigma = 1 / 1.475;   ///< of noise with that standard deviation in each of three directions
+
+/// Over steps of so many poses.
+PoseJitter jitterOver(std::size_t lag, std::size_t count, const std::function<Eigen::Isometry3d(std::size_t)>& pose_at) {
+  std::vector<double> back, back_turns;
+  const std::size_t stride = std::max<std::size_t>(1, count / kTriples);
+  for (std::size_t i = lag; i + lag < count; i += stride) {
+    const Eigen::Isometry3d before = pose_at(i - lag), here = pose_at(i), after = pose_at(i + lag);
+    const Eigen::Vector3d step = here.translation() - before.translation(), next = after.translation() - here.translation();
+    const Eigen::Vector3d turn = rotationVector(Eigen::Quaterniond(here.linear() * before.linear().transpose()));
+    const Eigen::Vector3d next_turn = rotationVector(Eigen::Quaterniond(after.linear() * here.linear().transpose()));
+    back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
+    back_turns.push_back(std::sqrt(std::max(0.0, -turn.dot(next_turn))));
+  }
+  return {kToSigma * median(std::move(back)), kToSigma * median(std::move(back_turns))};
+}
+
+}  // namespace
+
+PoseJitter jitterOf(std::size_t count, const std::function<Eigen::Isometry3d(std::size_t)>& pose_at) {
+  PoseJitter jitter;
+  for (const std::size_t lag : {1, 2, 4, 8}) {
+    if (count < kLeastPoses * lag) break;
+    const PoseJitter over = jitterOver(lag, count, pose_at);
+    jitter = {std::max(jitter.position, over.position), std::max(jitter.orientation, over.orientation)};
+  }
+  return jitter;
+}
+
+}  // namespace cabinet_articulation::core
