@@ -48,20 +48,23 @@ PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidat
   return sequence;
 }
 
-/// [m] By the model that explains the poses best: others may say anything.
-double pathOfBest(const std::vector<Candidate>& candidates) {
-  const Candidate* best = nullptr;
-  for (const Candidate& candidate : candidates)
-    if (candidate.model->moves() && (!best || candidate.log_likelihood > best->log_likelihood)) best = &candidate;
-  return best ? best->residuals.path : 0;
-}
-
 /// Whether a simpler joint is more probable whatever a comparison finds.
 bool isNegligible(const std::vector<Candidate>& candidates, std::size_t i) {
   constexpr double kLeastLogOdds = -2.3;  // one to ten
   const auto isJoint = [](const Candidate& candidate) { return candidate.model->moves() && candidate.model->isParametric(); };
   const bool has_simpler = std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i), isJoint);
   return has_simpler && candidates[i].model->largestAdvantage() < kLeastLogOdds;
+}
+
+/// [m] By the model that explains the poses best, of those that can win: others may say anything.
+double pathOfBest(const std::vector<Candidate>& candidates) {
+  const Candidate* best = nullptr;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& candidate = candidates[i];
+    if (!candidate.model->moves() || isNegligible(candidates, i)) continue;
+    if (!best || candidate.log_likelihood > best->log_likelihood) best = &candidate;
+  }
+  return best ? best->residuals.path : 0;
 }
 
 }  // namespace

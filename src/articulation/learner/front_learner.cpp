@@ -72,7 +72,9 @@ void FrontLearner::fitModels(const PoseSequence& track, bool parametric) {
     ArticulationModel& model = *entry;
     if (model.isParametric() != parametric) continue;
     const bool may_rest = parametric && !reference_moved_ && model.type() != learned_.type;
-    const bool rests = may_rest && schedule_.nextRests(track.size());
+    // What can hardly win rests for four updates of five.
+    const bool hopeless = model.largestAdvantage() < 0 && observations_.size() % 5 != 0 && !schedule_.isEverything();
+    const bool rests = may_rest && (schedule_.nextRests(track.size()) || (hopeless && track.size() > kFew));
     if (rests || model.fit(track, schedule_.fit(track.size()))) candidates_.push_back(evaluateCandidate(&model, track, config_));
   }
 }

@@ -113,7 +113,7 @@ bool ObservationHistory::update(const Track& track) {
   measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);
   weighted_ =
       config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
-  jitter_ = weighted_ ? PoseJitter() : jitterOf(entries_.size(), [this](std::size_t i) { return entries_[i].center; });
+  measureJitter(continued.has_value());
   size_ << track.width, track.height;
   revision_ = track.revision;
   observations_ = track.observations.size();
@@ -192,6 +192,13 @@ void ObservationHistory::measureWay(std::size_t from) {
     if (!rests) rest_anchor_ = entry.center.translation();
     entry.place = i > 0 ? before.place + 1 / (1 + entry.rested / kShortRest) : 0;
   }
+}
+
+/// Again where a tenth more is known.
+void ObservationHistory::measureJitter(bool continues) {
+  if (continues && entries_.size() >= jitter_measured_at_ && 10 * entries_.size() < 11 * jitter_measured_at_) return;
+  jitter_measured_at_ = entries_.size();
+  jitter_ = weighted_ ? PoseJitter() : jitterOf(entries_.size(), [this](std::size_t i) { return entries_[i].center; });
 }
 
 PoseSequence ObservationHistory::since(ReferencePoint point, double stamp) const {

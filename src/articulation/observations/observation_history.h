@@ -76,6 +76,7 @@ class ObservationHistory {
   std::optional<std::size_t> firstNew(const Track& track) const;
   void leaveOutWhatIsNotIn(const Track& track);
   void measureWay(std::size_t from);
+  void measureJitter(bool continues);
   std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
   PoseSequence picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries);
@@ -87,6 +88,7 @@ class ObservationHistory {
   AmbiguousTurns turns_;
   bool weighted_ = false;
   PoseJitter jitter_;
+  std::size_t jitter_measured_at_ = 0;              ///< poses
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();  ///< [m] width and height, estimated over the track
   // What of the track was taken over.
   std::uint32_t revision_ = 0;
