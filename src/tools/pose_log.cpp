@@ -10,6 +10,7 @@
 
 #include "cabinet_articulation/geometry/limits.h"
 #include "config/ordinary_file.h"
+#include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -91,11 +92,6 @@ void requireSane(const Rectangle& rectangle, const Location& location) {
   } catch (const std::invalid_argument& error) {
     location.fail(error.what());
   }
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 void estimateSize(Track* track) {

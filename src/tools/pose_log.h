@@ -26,8 +26,8 @@ struct PoseLog {
 };
 
 /// Throws PoseLogError; also for geometry that is farther away or larger than limits.h allows, and for what is no
-/// ordinary file. Quaternions are normalised; those shorter than 0.95 are
-/// means of some, which the warning says, and those shorter than 0.5 or longer than 1.05 are refused.
+/// ordinary file. Quaternions are normalised, with a warning below length 0.95, as means of some are;
+/// those shorter than 0.5 or longer than 1.05 are refused.
 PoseLog readPoseLog(std::istream& in, const std::string& name);
 PoseLog readPoseLog(const std::string& path);
 

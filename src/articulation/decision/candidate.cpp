@@ -7,7 +7,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// Standard deviations beyond which a pose is no worse.
+/// Standard deviations beyond which a pose is no worse: half its square is the cost of a gross error in articulation_model.cpp.
 constexpr double kGross = 5;
 
 /// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.

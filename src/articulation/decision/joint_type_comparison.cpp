@@ -50,7 +50,7 @@ PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidat
 
 /// Whether a simpler joint is more probable whatever a comparison finds.
 bool isNegligible(const std::vector<Candidate>& candidates, std::size_t i) {
-  constexpr double kLeastLogOdds = -2.3;  // one to ten
+  constexpr double kLeastLogOdds = -2.3;  // [nats] ln 0.1: what is ten times less probable is not compared (ours)
   const auto isJoint = [](const Candidate& candidate) { return candidate.model->moves() && candidate.model->isParametric(); };
   const bool has_simpler = std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i), isJoint);
   return has_simpler && candidates[i].model->largestAdvantage() < kLeastLogOdds;

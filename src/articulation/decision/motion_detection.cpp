@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "articulation/observations/observation_covariance.h"
+#include "articulation/observations/pose_jitter.h"
 #include "geometry/median.h"
 
 namespace cabinet_articulation::core {
@@ -31,19 +32,17 @@ constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
 constexpr double kRestless = 0.25;
 
 /// Steps that lead back where the step before came from: a front that is moved, however unevenly, makes hardly any from one
-/// frame to the next; of frames far apart nothing can be said. Noise of standard deviation s in each of three directions has a
-/// median of 1.475 s of what is taken here.
+/// frame to the next; of frames far apart nothing can be said.
 double jitterOf(const PoseSequence& poses, const Eigen::Vector3d& point) {
-  constexpr double kToSigma = 1 / 1.475;
   std::vector<double> back;
   const std::size_t stride = std::max<std::size_t>(1, poses.size() / kTriples);
   for (std::size_t i = 1; i + 1 < poses.size(); i += stride) {
     if (poses.stamps[i + 1] - poses.stamps[i - 1] > 2 * kQuick) continue;
     const Eigen::Vector3d here = poses.poses[i] * point;
     const Eigen::Vector3d step = here - poses.poses[i - 1] * point, next = poses.poses[i + 1] * point - here;
-    back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
+    back.push_back(stepBack(step, next));
   }
-  return kToSigma * median(std::move(back));
+  return sigmaOfStepsBack(std::move(back));
 }
 
 /// Of the front, relative to its reference point, which is the first of the outline; the corners follow.

@@ -21,7 +21,7 @@ namespace cabinet_articulation::core {
  */
 class MotionDetector {
  public:
-  /// [nats] Motion that is less probable than 0.9 is not called so yet (ours).
+  /// [nats] ln 9: motion that is less probable than 0.9 is not called so yet (ours).
   static constexpr double kLogOdds = 2.2;
 
   static constexpr std::size_t kFew = 6;  ///< fewer poses than this are few
@@ -32,10 +32,10 @@ class MotionDetector {
   /// `residuals` are those of `poses`, which may be thinned out.
   bool passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
 
-  /// [nats] The odds that a front moved that was seen a few times only, from two on: what counts in place of motion_min is how
-  /// far a point came beside what the observations themselves say is uncertain, no faster than hands are; rest_odds are against
-  /// it. A front that has stood still for longer is not asked, since a plane at rest that takes in a bit of what comes out of it
-  /// seems to turn. Minus infinity: nothing can be said so early.
+  /// [nats] The odds that a front moved that was seen a few times only, from two on. How far a point came beside what the
+  /// observations say is uncertain counts in place of motion_min, no faster than hands are; rest_odds are against it. A front
+  /// that has stood still for longer is not asked: a plane at rest seems to turn when it takes in a part of something else. Minus
+  /// infinity: nothing can be said so early.
   double earlyLogOdds(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
 
   bool isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const {

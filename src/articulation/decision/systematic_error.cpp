@@ -21,7 +21,7 @@ constexpr double kRadiusSpread = 0.5;  ///< standard deviation of the logarithm 
 
 /// [m] Of the positions about the path, in each of the two directions across it.
 double positionNoise(const Candidate& candidate) {
-  constexpr double kToSigma = 1 / 1.1774;  // of the median distance in two dimensions
+  constexpr double kToSigma = 1 / 1.1774;  // 1 / sqrt(2 ln 2), of the median of a Rayleigh distribution
   std::vector<double> distances;
   for (const Eigen::Vector3d& residual : candidate.residuals.position) distances.push_back(residual.norm());
   return kToSigma * median(std::move(distances));

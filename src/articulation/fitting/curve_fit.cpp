@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/median.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -13,12 +15,6 @@ constexpr double kShortestPath = 1e-3;  ///< [m]
 /// [1/m^2] Typical third derivative of a path by its length: what furniture does over some 15 cm (ours).
 constexpr double kTypicalBend = 50;
 constexpr double kOrientationFloor = 0.02;  ///< [rad]
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 class CurveFitter {
  public:

@@ -12,13 +12,13 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kRounds = 4;
+constexpr int kRounds = 4;                                           ///< of reweighting (ours)
 constexpr double kFirstPosition = 0.002, kFirstOrientation = 0.019;  ///< [m], [rad] before residuals are seen (measured)
-constexpr double kFloor = 5e-5;                                      ///< [m], [rad] rounding of logs
+constexpr double kFloor = 5e-5;                                      ///< [m], [rad] rounding of logs, as in noise_estimate.h
 constexpr double kCommon = 0.01;  ///< share of the noise's variance that all poses of a track have in common (ours)
 
 double robustSigma(std::vector<double> residuals) {
-  constexpr double kToSigma = 1.4826;  // of a Gaussian's median absolute deviation
+  constexpr double kToSigma = 1.4826;  // 1 / the 75 % quantile of a Gaussian
   for (double& residual : residuals) residual = std::abs(residual);
   return std::max(kFloor, kToSigma * median(std::move(residuals)));
 }

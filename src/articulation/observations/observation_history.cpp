@@ -182,15 +182,15 @@ void ObservationHistory::measureWay(std::size_t from) {
   if (from == 0) way_anchor_ = rest_anchor_ = entries_.front().center.translation();
   for (std::size_t i = from; i < entries_.size(); ++i) {
     const double step = (entries_[i].center.translation() - way_anchor_).norm();
-    const Entry before = i > 0 ? entries_[i - 1] : Entry();
+    const double way = i > 0 ? entries_[i - 1].way : 0, rested = i > 0 ? entries_[i - 1].rested : 0;
     Entry& entry = entries_[i];
     const bool goes_on = step >= config_.sigma_position;
-    entry.way = before.way + (goes_on ? step : 0);
+    entry.way = way + (goes_on ? step : 0);
     if (goes_on) way_anchor_ = entry.center.translation();
     const bool rests = (entry.center.translation() - rest_anchor_).norm() < 3 * config_.sigma_position;
-    entry.rested = rests ? before.rested + 1 : 0;
+    entry.rested = rests ? rested + 1 : 0;
     if (!rests) rest_anchor_ = entry.center.translation();
-    entry.place = i > 0 ? before.place + 1 / (1 + entry.rested / kShortRest) : 0;
+    entry.place = i > 0 ? entries_[i - 1].place + 1 / (1 + entry.rested / kShortRest) : 0;
   }
 }
 

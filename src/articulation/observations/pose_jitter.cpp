@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t kLeastPoses = 10;  ///< for each pose of a step: their median step back tells the noise
 constexpr std::size_t kTriples = 200;    ///< enough for a median
-constexpr double kToSigma = 1 / 1.475;   ///< of noise with that standard deviation in each of three directions
 
 /// Over steps of so many poses.
 PoseJitter jitterOver(std::size_t lag, std::size_t count, const std::function<Eigen::Isometry3d(std::size_t)>& pose_at) {
@@ -25,13 +24,20 @@ PoseJitter jitterOver(std::size_t lag, std::size_t count, const std::function<Ei
     const Eigen::Vector3d step = here.translation() - before.translation(), next = after.translation() - here.translation();
     const Eigen::Vector3d turn = rotationVector(Eigen::Quaterniond(here.linear() * before.linear().transpose()));
     const Eigen::Vector3d next_turn = rotationVector(Eigen::Quaterniond(after.linear() * here.linear().transpose()));
-    back.push_back(std::sqrt(std::max(0.0, -step.dot(next))));
-    back_turns.push_back(std::sqrt(std::max(0.0, -turn.dot(next_turn))));
+    back.push_back(stepBack(step, next));
+    back_turns.push_back(stepBack(turn, next_turn));
   }
-  return {kToSigma * median(std::move(back)), kToSigma * median(std::move(back_turns))};
+  return {sigmaOfStepsBack(std::move(back)), sigmaOfStepsBack(std::move(back_turns))};
 }
 
 }  // namespace
+
+double stepBack(const Eigen::Vector3d& step, const Eigen::Vector3d& next) { return std::sqrt(std::max(0.0, -step.dot(next))); }
+
+double sigmaOfStepsBack(std::vector<double> steps_back) {
+  constexpr double kMedian = 1.475;  // measured on Gaussian noise of unit variance in each of three directions
+  return 1 / kMedian * median(std::move(steps_back));
+}
 
 PoseJitter jitterOf(std::size_t count, const std::function<Eigen::Isometry3d(std::size_t)>& pose_at) {
   PoseJitter jitter;

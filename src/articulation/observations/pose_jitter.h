@@ -4,8 +4,15 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace cabinet_articulation::core {
+
+/// How far a step leads back where the step before came from: 0 where both go on.
+double stepBack(const Eigen::Vector3d& step, const Eigen::Vector3d& next);
+
+/// Standard deviation in each of three directions of the noise that makes such steps back, by their median.
+double sigmaOfStepsBack(std::vector<double> steps_back);
 
 struct PoseJitter {
   double position = 0, orientation = 0;  ///< [m], [rad] standard deviation in each of three directions
