@@ -249,7 +249,7 @@ TEST(ArticulationLearner, IntervalsHoldTheTruth) {
 
 TEST(FitAllModels, BestFirst) {
   const std::vector<LearnedModel> models = fitAllModels(syntheticTrack(drawer()), {});
-  ASSERT_EQ(models.size(), 4u);
+  ASSERT_EQ(models.size(), 3u) << "a drawer does not turn: no screw";
   EXPECT_EQ(models[0].type, JointType::kPrismatic);
   EXPECT_GE(probability(models[1], models[1].type), probability(models[2], models[2].type));
   EXPECT_TRUE(fitAllModels(Track{}, {}).empty());

@@ -15,6 +15,8 @@ namespace {
 /// [nats] Between the evidence of moving models.
 constexpr double kClear = 25;
 
+constexpr int kFirstSteps = 24;  ///< of the first look at each model: until it settles; other optima have to wait
+
 constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
 
 /// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with: a sequence is
@@ -48,22 +50,11 @@ PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidat
   return sequence;
 }
 
-/// Whether a simpler joint is more probable whatever a comparison finds.
-bool isNegligible(const std::vector<Candidate>& candidates, std::size_t i) {
-  constexpr double kLeastLogOdds = -2.3;  // [nats] ln 0.1: what is ten times less probable is not compared (ours)
-  const auto isJoint = [](const Candidate& candidate) { return candidate.model->moves() && candidate.model->isParametric(); };
-  const bool has_simpler = std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i), isJoint);
-  return has_simpler && candidates[i].model->largestAdvantage() < kLeastLogOdds;
-}
-
-/// [m] By the model that explains the poses best, of those that can win: others may say anything.
+/// [m] By the model that explains the poses best.
 double pathOfBest(const std::vector<Candidate>& candidates) {
   const Candidate* best = nullptr;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate& candidate = candidates[i];
-    if (!candidate.model->moves() || isNegligible(candidates, i)) continue;
-    if (!best || candidate.log_likelihood > best->log_likelihood) best = &candidate;
-  }
+  for (const Candidate& candidate : candidates)
+    if (candidate.model->moves() && (!best || candidate.log_likelihood > best->log_likelihood)) best = &candidate;
   return best ? best->residuals.path : 0;
 }
 
@@ -71,19 +62,19 @@ double pathOfBest(const std::vector<Candidate>& candidates) {
 
 void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint reference, const WorkSchedule& schedule,
                                  std::vector<Candidate>* candidates) {
-  const bool goes_on = compared_at_ > 0 && !schedule.isEverything() && entries_.size() == candidates->size();
+  const bool goes_on = compared_at_ > 0 && !schedule.isEverything() && isOf(*candidates);
   const auto more = static_cast<std::size_t>(config_.sequence_poses_max);
   const double path = pathOfBest(*candidates);
   // Without an earlier verdict a first glance would be taken for one.
-  const bool thorough = schedule.isEverything() || verdict_.size() != candidates->size();
+  const bool thorough = schedule.isEverything() || verdict_.empty();
   const auto begin = [&](std::size_t count) {
     const PoseSequence runs = poses.runs(reference, count);
     track_ = fromExplained(runs, *candidates, 3 * sigmaPosition(runs, config_));
     compared_at_ = poses.size();
     compared_path_ = path;
     entries_.assign(candidates->size(), {});
-    for (std::size_t i = 0; i < candidates->size(); ++i) entries_[i].negligible = isNegligible(*candidates, i);
-    thorough ? compare(*candidates) : advance(*candidates, schedule);
+    for (std::size_t i = 0; i < candidates->size(); ++i) entries_[i].model = (*candidates)[i].model;
+    thorough ? compare(*candidates, schedule) : advance(*candidates, schedule);
   };
   if (!goes_on) close_ = false;
   // What was clear stays clear until a good deal more was seen, or a bit more of the way.
@@ -98,22 +89,30 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
   }
   // Until the next comparison has come to an end, the last one tells more.
   if (thorough || isSettled()) verdict_ = entries_;
-  for (std::size_t i = 0; i < candidates->size(); ++i) {
-    (*candidates)[i].evidence = verdict_[i].negligible ? -std::numeric_limits<double>::infinity() : verdict_[i].evidence;
+  for (Candidate& candidate : *candidates) {
+    const auto isSame = [&](const Entry& entry) { return entry.model == candidate.model; };
+    const auto known = std::find_if(verdict_.begin(), verdict_.end(), isSame);
+    candidate.evidence = known == verdict_.end() ? -std::numeric_limits<double>::infinity() : known->evidence;
   }
 }
 
-void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
+bool JointTypeComparison::isOf(const std::vector<Candidate>& candidates) const {
+  const auto isSame = [](const Entry& entry, const Candidate& candidate) { return entry.model == candidate.model; };
+  return std::equal(entries_.begin(), entries_.end(), candidates.begin(), candidates.end(), isSame);
+}
+
+void JointTypeComparison::compare(const std::vector<Candidate>& candidates, const WorkSchedule& schedule) {
+  const WorkBudget budget = schedule.isEverything() ? WorkBudget::unlimited() : WorkBudget::ofSteps(kFirstSteps);
   // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
   const bool few = track_.size() < MotionDetector::kFew && !track_.orientation_weights.empty();
   std::vector<std::optional<double>> rivals(candidates.size());
   const auto look = [&](std::size_t i) {
     ArticulationModel& model = *candidates[i].model;
     rivals[i] = rivalOf(i);
-    set(i, model, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, WorkBudget::unlimited(), rivals[i]));
+    set(i, few ? SequenceProgress() : model.sequenceLogLikelihood(track_, budget, rivals[i]));
   };
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i].model->moves() && !entries_[i].negligible) look(i);
+    if (candidates[i].model->moves()) look(i);
   // A fit ends early beside a rival that is clearly worse; one that was found since may be closer. The first had no rival.
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (rivals[i] && *rivalOf(i) > *rivals[i] + kFineFit) look(i);
@@ -121,14 +120,14 @@ void JointTypeComparison::compare(const std::vector<Candidate>& candidates) {
 
 /// As many steps as there is time for, of one model after the other where that is not even one for each.
 void JointTypeComparison::advance(const std::vector<Candidate>& candidates, const WorkSchedule& schedule) {
-  const bool is_first = std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.moves; });
+  const bool is_first = std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.compared; });
   std::size_t joints = 0;
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     ArticulationModel& model = *candidates[i].model;
-    if (!model.moves() || entries_[i].negligible) continue;
+    if (!model.moves()) continue;
     joints += model.isParametric();
-    if (!entries_[i].moves) set(i, model, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(0), std::nullopt));
+    if (!entries_[i].compared) set(i, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(0), std::nullopt));
     if (!entries_[i].settled) open.push_back(i);
   }
   const int count = static_cast<int>(open.size());
@@ -136,19 +135,20 @@ void JointTypeComparison::advance(const std::vector<Candidate>& candidates, cons
   for (int k = 0; k < std::min(steps, count); ++k) {
     const std::size_t i = open[turn_++ % open.size()];
     ArticulationModel& model = *candidates[i].model;
-    set(i, model, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(std::max(1, steps / count)), rivalOf(i)));
+    set(i, model.sequenceLogLikelihood(track_, WorkBudget::ofSteps(std::max(1, steps / count)), rivalOf(i)));
   }
 }
 
-void JointTypeComparison::set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress) {
+void JointTypeComparison::set(std::size_t i, const SequenceProgress& progress) {
+  const ArticulationModel& model = *entries_[i].model;
   const double penalty = 0.5 * model.complexity(track_.has_orientation) * std::log(static_cast<double>(track_.size()));
-  entries_[i] = {true, false, progress.log_likelihood, progress.log_likelihood - penalty + model.logPrior(), progress.settled};
+  entries_[i] = {&model, true, progress.log_likelihood, progress.log_likelihood - penalty + model.logPrior(), progress.settled};
 }
 
 std::optional<double> JointTypeComparison::rivalOf(std::size_t i) const {
   std::optional<double> best;
   for (std::size_t k = 0; k < entries_.size(); ++k)
-    if (k != i && entries_[k].moves) best = std::max(best.value_or(entries_[k].log_likelihood), entries_[k].log_likelihood);
+    if (k != i && entries_[k].compared) best = std::max(best.value_or(entries_[k].log_likelihood), entries_[k].log_likelihood);
   return best;
 }
 
@@ -159,7 +159,7 @@ bool JointTypeComparison::isSettled() const {
 bool JointTypeComparison::isClear() const {
   double first = -std::numeric_limits<double>::infinity(), second = first;
   for (const Entry& entry : entries_) {
-    if (!entry.moves) continue;
+    if (!entry.compared) continue;
     second = std::max(second, std::min(first, entry.evidence));
     first = std::max(first, entry.evidence);
   }

@@ -29,15 +29,16 @@ class JointTypeComparison {
 
  private:
   struct Entry {
-    bool moves = false;
-    bool negligible = false;  ///< was when the comparison began
+    const ArticulationModel* model = nullptr;
+    bool compared = false;
     double log_likelihood = 0, evidence = 0;
     bool settled = true;
   };
 
-  void compare(const std::vector<Candidate>& candidates);
+  void compare(const std::vector<Candidate>& candidates, const WorkSchedule& schedule);
   void advance(const std::vector<Candidate>& candidates, const WorkSchedule& schedule);
-  void set(std::size_t i, const ArticulationModel& model, const SequenceProgress& progress);
+  void set(std::size_t i, const SequenceProgress& progress);
+  bool isOf(const std::vector<Candidate>& candidates) const;
   std::optional<double> rivalOf(std::size_t i) const;
   bool isSettled() const;
   bool isClear() const;

@@ -16,8 +16,8 @@ double turnAlongPath(const Candidate& candidate);
 double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track,
                                  const ArticulationConfig& config);
 
-/// [nats] Most that a joint that does not turn may win over one that does, where poses do not say how certain they are (ours): what
-/// a wide door would have bent and turned by on a way of that length, beside what that errs by. Infinity: no limit.
+/// [nats] Most that a joint that does not turn may win over one that does, where poses do not say how certain they are (ours):
+/// what a wide door would have bent and turned by on a way of that length, beside what that errs by. Infinity: no limit.
 double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

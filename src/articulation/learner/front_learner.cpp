@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "articulation/decision/hinge_plausibility.h"
@@ -18,6 +19,14 @@ constexpr std::size_t kFew = WorkSchedule::kFew;
 constexpr double kEver = -std::numeric_limits<double>::infinity();  ///< [s] before every observation
 
 double justBefore(double stamp) { return std::nextafter(stamp, kEver); }
+
+/// Whether a simpler joint is more probable whatever a comparison finds.
+bool isNegligible(const ArticulationModel& model, const std::vector<Candidate>& simpler) {
+  constexpr double kLeastLogOdds = -2.3;  // [nats] ln 0.1: a joint ten times less probable is not compared (ours)
+  return model.largestAdvantage() < kLeastLogOdds && std::any_of(simpler.begin(), simpler.end(), [](const Candidate& candidate) {
+           return candidate.model->moves() && candidate.model->isParametric();
+         });
+}
 
 /// The candidate that explains motion best; null without one.
 const Candidate* bestMoving(const std::vector<Candidate>& candidates) {
@@ -68,14 +77,18 @@ void FrontLearner::chooseReference(const Track& track) {
 }
 
 void FrontLearner::fitModels(const PoseSequence& track, bool parametric) {
-  for (const auto& entry : models_) {
-    ArticulationModel& model = *entry;
+  for (auto entry = models_.begin(); entry != models_.end(); ++entry) {
+    ArticulationModel& model = **entry;
     if (model.isParametric() != parametric) continue;
     const bool may_rest = parametric && !reference_moved_ && model.type() != learned_.type;
     // What can hardly win rests for four updates of five.
     const bool hopeless = model.largestAdvantage() < 0 && observations_.size() % 5 != 0 && !schedule_.isEverything();
     const bool rests = may_rest && (schedule_.nextRests(track.size()) || (hopeless && track.size() > kFew));
-    if (rests || model.fit(track, schedule_.fit(track.size()))) candidates_.push_back(evaluateCandidate(&model, track, config_));
+    if (!rests && !model.fit(track, schedule_.fit(track.size()))) continue;
+    if (isNegligible(model, candidates_)) continue;
+    candidates_.push_back(evaluateCandidate(&model, track, config_));
+    if (!schedule_.isEverything()) continue;
+    for (auto next = std::next(entry); next != models_.end(); ++next) (*next)->startFrom(model);
   }
 }
 

@@ -69,6 +69,9 @@ class ArticulationModel {
   /// starts from the last one, and may leave work to the next.
   virtual bool fit(const PoseSequence& track, const WorkBudget& budget = WorkBudget::unlimited()) = 0;
 
+  /// The next fresh fit to the same track may start from `fitted`, a joint that may be a special case of this one.
+  virtual void startFrom(const ArticulationModel& /*fitted*/) {}
+
   /// From now on the point of the front is observed that was `offset` away in the front's frame.
   virtual void moveReference(const Eigen::Vector3d& /*offset*/) {}
 

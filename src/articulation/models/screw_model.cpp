@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "articulation/fitting/pitch_fit.h"
 #include "articulation/paths/arc.h"
@@ -47,22 +48,46 @@ double ScrewModel::largestAdvantage() const {
 
 bool ScrewModel::fit(const PoseSequence& track, const WorkBudget& budget) {
   const bool continues = fitted_ && with_orientation_ == track.has_orientation && !budget.isUnlimited();
-  if (!continues) {
-    if (!turning_.fit(track, WorkBudget::unlimited())) return false;
-    with_orientation_ = track.has_orientation;
-    fitted_ = true;
-  }
+  if (!continues && !fitAnew(track)) return false;
   std::vector<double> turns = unwrappedTurns(track);
-  for (int round = 0; round < (continues ? 1 : kFreshRounds); ++round) {
-    pitch_ = bestPitch(track, turns);
-    findShift(track, turns);
-    turning_.fit(withoutAdvance(track, turns), continues ? budget : WorkBudget::ofSteps(kStepsOfRound));
-    turns = unwrappedTurns(track);
-    findShift(track, turns);
-    if (!continues && largestAdvantage() < 0) break;  // hardly a pitch: a door
+  if (!continues) {
+    fitPitch(track, turns);
+    // Hardly a pitch: a door.
+    for (int round = 1; round < kFreshRounds && largestAdvantage() >= 0; ++round) {
+      fitTurn(track, WorkBudget::ofSteps(kStepsOfRound), &turns);
+      fitPitch(track, turns);
+    }
+  } else if (std::exchange(turns_next_, !turns_next_)) {
+    fitTurn(track, budget, &turns);
+  } else {
+    fitPitch(track, turns);
   }
   orient(track, turns);
   return true;
+}
+
+bool ScrewModel::fitAnew(const PoseSequence& track) {
+  if (!std::exchange(has_start_, false) && !turning_.fit(track, WorkBudget::unlimited())) return false;
+  with_orientation_ = track.has_orientation;
+  return fitted_ = true;
+}
+
+void ScrewModel::fitTurn(const PoseSequence& track, const WorkBudget& budget, std::vector<double>* turns) {
+  turning_.fit(withoutAdvance(track, *turns), budget);
+  *turns = unwrappedTurns(track);
+  findShift(track, *turns);
+}
+
+void ScrewModel::fitPitch(const PoseSequence& track, const std::vector<double>& turns) {
+  pitch_ = bestPitch(track, turns);
+  findShift(track, turns);
+}
+
+void ScrewModel::startFrom(const ArticulationModel& fitted) {
+  const auto* turning = dynamic_cast<const RotationalModel*>(&fitted);
+  if (!turning) return;
+  turning_ = *turning;
+  has_start_ = true;
 }
 
 /// [m] How far the pose is along the axis from where the turn alone would put it.

@@ -32,6 +32,7 @@ class ScrewModel : public ArticulationModel {
   double logPrior() const override;
   double largestAdvantage() const override;
   bool fit(const PoseSequence& track, const WorkBudget& budget) override;
+  void startFrom(const ArticulationModel& fitted) override;
   void moveReference(const Eigen::Vector3d& offset) override { turning_.moveReference(offset); }
   Eigen::Isometry3d predict(double q) const override;
   double configuration(const Eigen::Isometry3d& pose) const override;
@@ -43,6 +44,9 @@ class ScrewModel : public ArticulationModel {
                                          std::optional<double> rival) override;
 
  private:
+  bool fitAnew(const PoseSequence& track);
+  void fitTurn(const PoseSequence& track, const WorkBudget& budget, std::vector<double>* turns);
+  void fitPitch(const PoseSequence& track, const std::vector<double>& turns);
   double advance(double turn) const { return pitch_.value * turn + shift_; }
   double turnOf(const Eigen::Isometry3d& pose, double least, double most) const;
   double offAlongAxis(const Eigen::Isometry3d& pose, double turn) const;
@@ -60,6 +64,8 @@ class ScrewModel : public ArticulationModel {
   double direction_ = 1;         ///< of q against that of the turn
   double least_ = 0, most_ = 0;  ///< [rad] turns that were seen
   bool fitted_ = false, with_orientation_ = true;
+  bool has_start_ = false;   ///< the turn was fitted by another joint
+  bool turns_next_ = false;  ///< the next continued fit is to the turn, not to the pitch
 };
 
 }  // namespace cabinet_articulation::core
