@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "articulation/fitting/residual_correlation.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -10,28 +14,18 @@ namespace {
 /// Standard deviations beyond which a pose is no worse: half its square is the cost of a gross error in articulation_model.cpp.
 constexpr double kGross = 5;
 
-/// Correlation of each residual with the next. Residuals are cut at 3 sigma, so that single outliers do not hide it.
-double sequenceCorrelation(const std::vector<Eigen::Vector3d>& residuals, double limit) {
-  double product = 0, square = 0;
-  Eigen::Vector3d previous = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& residual : residuals) {
-    const Eigen::Vector3d cut = residual * std::min(1.0, limit / std::max(1e-12, residual.norm()));
-    product += cut.dot(previous);
-    square += cut.squaredNorm();
-    previous = cut;
-  }
-  return square > 0 ? std::clamp(product / square, 0.0, 0.99) : 0;
+/// Residuals of which none is longer than `limit`.
+std::vector<Eigen::Vector3d> cutAt(double limit, std::vector<Eigen::Vector3d> residuals) {
+  constexpr double kZero = 1e-12;  // [m], [rad] too short to divide by
+  for (Eigen::Vector3d& residual : residuals) residual *= std::min(1.0, limit / std::max(kZero, residual.norm()));
+  return residuals;
 }
 
 /// Correlation of the autoregressive sequence whose mean is as uncertain as that of the residuals: noise of which a part is
 /// slow forgets later than its correlation from one to the next says. Sums correlations while pairs of them are positive.
-double longMemory(const std::vector<Eigen::Vector3d>& residuals, double limit) {
-  std::vector<Eigen::Vector3d> cut;
+double longMemory(const std::vector<Eigen::Vector3d>& cut) {
   double square = 0;
-  for (const Eigen::Vector3d& residual : residuals) {
-    cut.push_back(residual * std::min(1.0, limit / std::max(1e-12, residual.norm())));
-    square += cut.back().squaredNorm();
-  }
+  for (const Eigen::Vector3d& residual : cut) square += residual.squaredNorm();
   if (square <= 0) return 0;
   const auto correlation = [&](std::size_t lag) {
     double product = 0;
@@ -57,15 +51,16 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track,
   const double caution = track.orientation_weights.empty() ? 1 : std::max(1.0, config.sigma_position / config.sigma_plane);
   candidate.cautious_log_likelihood =
       caution > 1 ? model->logLikelihood(track, candidate.residuals, caution) : candidate.log_likelihood;
-  const double limit = 3 * sigmaPosition(track, config);
-  candidate.correlation = sequenceCorrelation(candidate.residuals.position, limit);
-  const double turn_limit = 3 * sigmaOrientation(track, config);
-  candidate.persistence = std::max(candidate.correlation, sequenceCorrelation(candidate.residuals.orientation, turn_limit));
-  candidate.memory = std::max(candidate.correlation, longMemory(candidate.residuals.position, limit));
+  const std::vector<Eigen::Vector3d> positions = cutAt(outlierDistance(track, config), candidate.residuals.position);
+  const double turn_limit = kOutlierSigmas * sigmaOrientation(track, config);
+  const std::vector<Eigen::Vector3d> orientations = cutAt(turn_limit, candidate.residuals.orientation);
+  candidate.correlation = correlationWithNext(positions);
+  candidate.persistence = std::max(candidate.correlation, correlationWithNext(orientations));
+  candidate.memory = std::max(candidate.correlation, longMemory(positions));
   const double share = 1 / static_cast<double>(track.size());
   for (std::size_t i = 0; i < track.size(); ++i) {
     const double deviation = std::max(candidate.residuals.displaced[i], candidate.residuals.turned[i]);
-    candidate.outlier_share += deviation > 3 ? share : 0;
+    candidate.outlier_share += deviation > kOutlierSigmas ? share : 0;
     candidate.mean_deviation += share * std::min(deviation, kGross);
   }
   return candidate;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "geometry/turn_between.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr double kContraryWeight = 2;
 /// Places that are told apart (ours): ways are shorter than 2 m, as doors are narrower than radius_max.
 constexpr std::size_t kMostPlaces = 200;
 
-constexpr double kOffPath = 3;  ///< standard deviations, as for the outliers of a fit
-
 /// The first point of an outline is the observed one, which may change; the others are the front's corners.
 std::vector<Eigen::Vector3d> placeOf(const Eigen::Isometry3d& pose, const PoseSequence& poses) {
   std::vector<Eigen::Vector3d> place;
@@ -25,7 +25,7 @@ std::vector<Eigen::Vector3d> placeOf(const Eigen::Isometry3d& pose, const PoseSe
 }
 
 bool fits(const ModelResiduals& residuals, std::size_t i) {
-  return std::max(residuals.displaced[i], residuals.turned[i]) <= kOffPath;
+  return std::max(residuals.displaced[i], residuals.turned[i]) <= kOutlierSigmas;
 }
 
 }  // namespace
@@ -89,9 +89,8 @@ bool JointEvidence::isRefinement(const ArticulationModel& known, double q_min, d
                                  const ArticulationModel& refined) const {
   for (const double q : {q_min, (q_min + q_max) / 2, q_max}) {
     const Eigen::Isometry3d seen = known.predict(q), now = refined.predict(refined.configuration(seen));
-    const double turn = Eigen::AngleAxisd(seen.linear().transpose() * now.linear()).angle();
-    if ((seen.translation() - now.translation()).norm() > kOffPath * config_.sigma_position) return false;
-    if (turn > kOffPath * config_.sigma_orientation) return false;
+    if ((seen.translation() - now.translation()).norm() > kOutlierSigmas * config_.sigma_position) return false;
+    if (turnBetween(seen, now) > kOutlierSigmas * config_.sigma_orientation) return false;
   }
   return true;
 }

@@ -69,7 +69,7 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
   const bool thorough = schedule.isEverything() || verdict_.empty();
   const auto begin = [&](std::size_t count) {
     const PoseSequence runs = poses.runs(reference, count);
-    track_ = fromExplained(runs, *candidates, 3 * sigmaPosition(runs, config_));
+    track_ = fromExplained(runs, *candidates, outlierDistance(runs, config_));
     compared_at_ = poses.size();
     compared_path_ = path;
     entries_.assign(candidates->size(), {});
@@ -104,7 +104,7 @@ bool JointTypeComparison::isOf(const std::vector<Candidate>& candidates) const {
 void JointTypeComparison::compare(const std::vector<Candidate>& candidates, const WorkSchedule& schedule) {
   const WorkBudget budget = schedule.isEverything() ? WorkBudget::unlimited() : WorkBudget::ofSteps(kFirstSteps);
   // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
-  const bool few = track_.size() < MotionDetector::kFew && !track_.orientation_weights.empty();
+  const bool few = track_.size() < MotionDetector::kFewPoses && !track_.orientation_weights.empty();
   std::vector<std::optional<double>> rivals(candidates.size());
   const auto look = [&](std::size_t i) {
     ArticulationModel& model = *candidates[i].model;

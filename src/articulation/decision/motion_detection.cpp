@@ -10,7 +10,9 @@
 
 #include "articulation/observations/observation_covariance.h"
 #include "articulation/observations/pose_jitter.h"
+#include "geometry/cross_matrix.h"
 #include "geometry/median.h"
+#include "geometry/turn_between.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -49,18 +51,6 @@ double jitterOf(const PoseSequence& poses, const Eigen::Vector3d& point) {
 Eigen::Vector3d centerOf(const std::vector<Eigen::Vector3d>& outline) {
   const Eigen::Vector3d sum = std::accumulate(outline.begin(), outline.end(), Eigen::Vector3d(0, 0, 0));
   return sum / std::max<double>(1, static_cast<double>(outline.size()) - 1);
-}
-
-double pathOf(const ArticulationModel& model, const ModelResiduals& residuals, const Eigen::Vector3d& point) {
-  constexpr int kSteps = 8;
-  double length = 0;
-  Eigen::Vector3d last = model.predict(residuals.q_min) * point;
-  for (int i = 1; i <= kSteps; ++i) {
-    const Eigen::Vector3d next = model.predict(residuals.q_min + (residuals.q_max - residuals.q_min) * i / kSteps) * point;
-    length += (next - last).norm();
-    last = next;
-  }
-  return length;
 }
 
 /// Largest share of the way along which nothing was seen.
@@ -114,7 +104,7 @@ double restlessness(const ModelResiduals& residuals, const PoseSequence& poses) 
   std::size_t last = 0, before = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double q = residuals.q[i];
-    if (residuals.displaced[i] > 3 || q < residuals.q_min || q > residuals.q_max) continue;
+    if (residuals.displaced[i] > kOutlierSigmas || q < residuals.q_min || q > residuals.q_max) continue;
     if (n > 1 && poses.stamps[i] - poses.stamps[before] <= 2 * kQuick) {
       back += std::max(0.0, -(q - residuals.q[last]) * (residuals.q[last] - residuals.q[before]));
       ++triples;
@@ -174,7 +164,7 @@ Matrix6d meanCovariance(const Track& track, const ArticulationConfig& config) {
 }  // namespace
 
 MotionDetector::MotionDetector(const Track& track, const PoseSequence& poses, const ArticulationConfig& config)
-    : config_(config), few_(poses.size() < kFew), covariance_(meanCovariance(track, config)) {
+    : config_(config), few_(poses.size() < kFewPoses), covariance_(meanCovariance(track, config)) {
   refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) ||
              (few_ && (pauses(poses) || isSmall(track) || isOfTwoThings(track))) ||
              (isNarrow(track) && (poses.size() < kNarrowPoses || lacksAnEdge(track)));
@@ -188,7 +178,7 @@ bool MotionDetector::wasSeen(const ModelResiduals& residuals, const PoseSequence
 bool MotionDetector::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const {
   if (!wasSeen(residuals, poses) || largestGap(residuals) > kLargestGap) return false;
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
-    const double path = pathOf(model, residuals, poses.outline[k]);
+    const double path = model.pathLength(residuals.q_min, residuals.q_max, poses.outline[k]);
     if (path >= config_.motion_min && standsOut(path, k, residuals, poses)) return true;
   }
   return false;
@@ -200,8 +190,7 @@ double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelR
   if (!few_ || covariance_.isZero(0) || !wasSeen(residuals, poses)) return kNever;
   if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return kNever;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
-  const double turn = Eigen::AngleAxisd(first.linear().transpose() * last.linear()).angle();
-  if (turn > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return kNever;
+  if (turnBetween(first, last) > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return kNever;
   double farthest = 0;
   const Eigen::Vector3d center = centerOf(poses.outline);
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
@@ -215,8 +204,7 @@ double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelR
 /// Mahalanobis distance between two observations of a point that is `lever` away from the front's centre.
 double MotionDetector::significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const {
   Eigen::Matrix<double, 3, 6> motion;  // of the point with the front's pose
-  motion << Eigen::Matrix3d::Identity(),
-      (Eigen::Matrix3d() << 0, lever.z(), -lever.y(), -lever.z(), 0, lever.x(), lever.y(), -lever.x(), 0).finished();
+  motion << Eigen::Matrix3d::Identity(), crossMatrix(-lever);
   const Eigen::Matrix3d covariance = 2 * motion * covariance_ * motion.transpose();
   return std::sqrt(way.dot(covariance.inverse() * way));
 }
@@ -224,7 +212,7 @@ double MotionDetector::significance(const Eigen::Vector3d& way, const Eigen::Vec
 /// Is the path of a point of the outline much longer than its jitter and its distance from where the model says?
 bool MotionDetector::standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const {
   return path >= config_.motion_to_jitter * jitter_[point] &&
-         path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], 3 * sigmaPosition(poses, config_));
+         path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], outlierDistance(poses, config_));
 }
 
 }  // namespace cabinet_articulation::core

@@ -24,7 +24,8 @@ class MotionDetector {
   /// [nats] ln 9: motion that is less probable than 0.9 is not called so yet (ours).
   static constexpr double kLogOdds = 2.2;
 
-  static constexpr std::size_t kFew = 6;  ///< fewer poses than this are few
+  /// Poses (ours): fewer must follow one another at once, and may tell a motion early.
+  static constexpr std::size_t kFewPoses = 6;
 
   /// `poses` are those of `track`'s front, in the order of their stamps.
   MotionDetector(const Track& track, const PoseSequence& poses, const ArticulationConfig& config);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/median.h"
+#include "geometry/turn_between.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -55,8 +56,7 @@ double bowOfPath(const Candidate& candidate) {
 }
 
 double turnAlongPath(const Candidate& candidate) {
-  const Eigen::Matrix3d first = candidate.model->predict(candidate.residuals.q_min).linear();
-  return Eigen::AngleAxisd(first.transpose() * candidate.model->predict(candidate.residuals.q_max).linear()).angle();
+  return turnBetween(candidate.model->predict(candidate.residuals.q_min), candidate.model->predict(candidate.residuals.q_max));
 }
 
 double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track,

@@ -19,7 +19,7 @@ struct Evaluation {
         left(to_frame),
         right(arc.orientation.transpose() * arc.frame),
         ratio(noise.placing_position / noise.placing_orientation),
-        orientation_places(std::abs(arc.curvature) * 2.5 * ratio > 1),
+        orientation_places(std::abs(arc.curvature) * kReachOfOrientations * ratio > 1),
         weighted(is_weighted) {}
 
   double curvature;
@@ -27,7 +27,7 @@ struct Evaluation {
   Eigen::Matrix3d to_frame;
   Eigen::Quaterniond left, right;  ///< a pose's rotation in the arc's frame is left * orientation * right
   double ratio;                    ///< [m/rad] a position's worth of an angle
-  bool orientation_places;         ///< close to the axis the orientation says better where a pose belongs
+  bool orientation_places;         ///< close to the axis, as kReachOfOrientations says
   bool weighted;
 };
 

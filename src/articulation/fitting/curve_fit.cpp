@@ -109,7 +109,7 @@ class CurveFitter {
 
   /// Places, scales and weights from knots.
   void measure() {
-    const double limit = 3 * sigmaPosition(samples_, config_);
+    const double limit = outlierDistance(samples_, config_);
     const double metres_per_radian = metresPerRadian();
     std::vector<double> distances, angles;
     fit_.cost = 0;
@@ -141,7 +141,7 @@ class CurveFitter {
       if (samples_.has_orientation) square += std::pow(angles[i] / fit_.orientation_scale, 2);
       const int dimensions = samples_.has_orientation ? 5 : 2;
       weights_[i] = (nu + dimensions) / (nu + square);
-      near_[i] = distances[i] <= std::max(3 * sigmaPosition(samples_, config_), 5 * fit_.position_scale);
+      near_[i] = distances[i] <= std::max(outlierDistance(samples_, config_), 5 * fit_.position_scale);
     }
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "articulation/fitting/arc_problem.h"
+#include "articulation/fitting/typical_noise.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
 
 namespace cabinet_articulation::core {
@@ -31,11 +32,11 @@ class IndependentNoise {
   template <class Problem>
   double estimate(const typename Problem::Residuals& residuals) {
     const auto positions = residuals.template topRows<Problem::kPositionRows>();
-    noise_.position = scale(positions, 2, kPriorPosition, config_.sigma_position_floor, noise_.position);
+    noise_.position = scale(positions, 2, kTypicalPositionNoise, config_.sigma_position_floor, noise_.position);
     double cost = studentCost(positions, 2, noise_.position);
     if constexpr (Problem::kRows > Problem::kPositionRows) {
       const auto orientations = residuals.template bottomRows<Problem::kRows - Problem::kPositionRows>();
-      noise_.orientation = scale(orientations, 3, kPriorOrientation, config_.sigma_orientation_floor, noise_.orientation);
+      noise_.orientation = scale(orientations, 3, kTypicalOrientationNoise, config_.sigma_orientation_floor, noise_.orientation);
       cost += studentCost(orientations, 3, noise_.orientation);
     }
     noise_.placing_position = noise_.position;
@@ -44,15 +45,13 @@ class IndependentNoise {
   }
 
  private:
-  /// What scales are believed to be before any residual is seen, with the weight of 4 residuals (measured) [m], [rad].
-  static constexpr double kPriorPosition = 0.002;
-  static constexpr double kPriorOrientation = 0.019;
+  static constexpr double kWeightOfPrior = 4;  ///< residuals (measured)
 
   template <class Rows>
   double scale(const Rows& residuals, int dimensions, double prior, double floor, double scale) const {
     const double nu = noise_.degrees_of_freedom;
     for (int iteration = 0; iteration < 5; ++iteration) {
-      double sum = 4 * prior * prior;
+      double sum = kWeightOfPrior * prior * prior;
       for (Eigen::Index i = 0; i < residuals.cols(); ++i) {
         const double square = residuals.col(i).squaredNorm();
         sum += (nu + dimensions) / (nu + square / (scale * scale)) * square;
@@ -114,7 +113,6 @@ class SequenceNoise {
   }
 
  private:
-  static constexpr double kFloor = 5e-5;  ///< [m], [rad] rounding of logs
   static constexpr double kLargestCorrelation = 0.99;
 
   template <class Rows>
@@ -125,7 +123,7 @@ class SequenceNoise {
       return (residuals.col(i) - *correlation * residuals.col(i - 1)).squaredNorm();
     };
     for (int iteration = 0; iteration < 5; ++iteration) {
-      double product = 0, square = 0, innovations = kFloor * kFloor;
+      double product = 0, square = 0, innovations = kLogRounding * kLogRounding;
       for (Eigen::Index i = 1; i < residuals.cols(); ++i) {
         if (startsRun(i)) continue;
         const double innovation = innovationSquare(i);
@@ -136,7 +134,7 @@ class SequenceNoise {
       }
       const double last_correlation = *correlation, last_scale = *scale;
       *correlation = std::clamp(product / (square + 4 * dimensions * *scale * *scale), 0.0, kLargestCorrelation);
-      *scale = std::max(kFloor, std::sqrt(innovations / (dimensions * n)));
+      *scale = std::max(kLogRounding, std::sqrt(innovations / (dimensions * n)));
       if (std::abs(*correlation - last_correlation) < 1e-3 && std::abs(*scale - last_scale) < 1e-3 * *scale) break;
     }
     double cost = 0;

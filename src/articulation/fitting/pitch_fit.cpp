@@ -7,32 +7,27 @@
 #include <cmath>
 #include <utility>
 
+#include "articulation/fitting/residual_correlation.h"
+#include "articulation/fitting/typical_noise.h"
+#include "articulation/observations/pose_sequence.h"
 #include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr int kRounds = 4;                                           ///< of reweighting (ours)
-constexpr double kFirstPosition = 0.002, kFirstOrientation = 0.019;  ///< [m], [rad] before residuals are seen (measured)
-constexpr double kFloor = 5e-5;                                      ///< [m], [rad] rounding of logs, as in noise_estimate.h
+constexpr int kRounds = 4;        ///< of reweighting (ours)
 constexpr double kCommon = 0.01;  ///< share of the noise's variance that all poses of a track have in common (ours)
 
 double robustSigma(std::vector<double> residuals) {
   constexpr double kToSigma = 1.4826;  // 1 / the 75 % quantile of a Gaussian
   for (double& residual : residuals) residual = std::abs(residual);
-  return std::max(kFloor, kToSigma * median(std::move(residuals)));
+  return std::max(kLogRounding, kToSigma * median(std::move(residuals)));
 }
 
 /// How much of the information in residuals is independent, where some follow one another. They are cut at `limit`.
-double independentShare(const std::vector<double>& residuals, double limit) {
-  double product = 0, square = 0, previous = 0;
-  for (const double residual : residuals) {
-    const double cut = std::clamp(residual, -limit, limit);
-    product += cut * previous;
-    square += cut * cut;
-    previous = cut;
-  }
-  const double correlation = square > 0 ? std::clamp(product / square, 0.0, 0.99) : 0;
+double independentShare(std::vector<double> residuals, double limit) {
+  for (double& residual : residuals) residual = std::clamp(residual, -limit, limit);
+  const double correlation = correlationWithNext(residuals);
   const double share = (1 - correlation) / (1 + correlation);
   return share / (1 + kCommon * share * static_cast<double>(residuals.size()));
 }
@@ -46,8 +41,8 @@ PitchEstimate PitchFit::solve(double degrees_of_freedom) const {
     normal = 1e-9 * Normal::Identity();
     normal(5, 5) += 1 / (kTypicalPitch * kTypicalPitch);
     Row right = Row::Zero();
-    add(positions_, x, round == 0 ? kFirstPosition : 0, degrees_of_freedom, &normal, &right);
-    add(orientations_, x, round == 0 ? kFirstOrientation : 0, degrees_of_freedom, &normal, &right);
+    add(positions_, x, round == 0 ? kTypicalPositionNoise : 0, degrees_of_freedom, &normal, &right);
+    add(orientations_, x, round == 0 ? kTypicalOrientationNoise : 0, degrees_of_freedom, &normal, &right);
     x = normal.ldlt().solve(right);
   }
   return {x[5], normal.inverse()(5, 5)};
@@ -60,7 +55,7 @@ void PitchFit::add(const std::vector<Equation>& equations, const Row& x, double 
   std::vector<double> residuals;
   for (const Equation& equation : equations) residuals.push_back(equation.residual - equation.row.dot(x));
   if (knows_residuals) sigma = robustSigma(residuals);
-  const double share = independentShare(residuals, 3 * sigma);
+  const double share = independentShare(residuals, kOutlierSigmas * sigma);
   for (std::size_t i = 0; i < equations.size(); ++i) {
     const Equation& equation = equations[i];
     const double square = knows_residuals ? equation.seen * std::pow(residuals[i] / sigma, 2) : 0;

@@ -18,7 +18,7 @@ constexpr std::size_t kEarly = 16;    ///< poses up to which it matters that a p
 
 /// Noise of the positions in shares of the way they come along the path. What hardly moves fits well and says little.
 double relativeNoise(const PoseSamples& samples, const Arc& arc, const ArticulationConfig& config) {
-  const double limit = 3 * sigmaPosition(samples, config);
+  const double limit = outlierDistance(samples, config);
   double sum = 0, first = std::numeric_limits<double>::infinity(), last = -first;
   for (const Eigen::Vector3d& p : samples.positions) {
     const double square = arc.squaredDistance(p);

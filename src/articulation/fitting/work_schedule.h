@@ -28,7 +28,7 @@ class WorkBudget {
 /// (learner_benchmark); what needs more is spread over the updates that follow.
 class WorkSchedule {
  public:
-  static constexpr std::size_t kFew = 16;  ///< observations that are few enough for all work at once, each time
+  static constexpr std::size_t kShortTrack = 16;  ///< observations; fewer are learned anew each time, with all work at once
 
   /// All at once.
   static WorkSchedule everything() { return {}; }
@@ -36,7 +36,7 @@ class WorkSchedule {
   /// For `observations`, of which `known` were there at the last update. Much that is new is learned at once.
   static WorkSchedule ofUpdate(std::size_t known, std::size_t observations) {
     WorkSchedule schedule;
-    schedule.everything_ = observations < kFew || 4 * observations >= 5 * known;
+    schedule.everything_ = observations < kShortTrack || 4 * observations >= 5 * known;
     schedule.turn_ = observations;
     return schedule;
   }

@@ -14,8 +14,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr std::size_t kFew = WorkSchedule::kFew;
-
 constexpr double kEver = -std::numeric_limits<double>::infinity();  ///< [s] before every observation
 
 double justBefore(double stamp) { return std::nextafter(stamp, kEver); }
@@ -61,13 +59,13 @@ void FrontLearner::startAnew() {
 
 void FrontLearner::chooseReference(const Track& track) {
   // The choice changes what q means, so it is only looked at again when twice as much is known; a few poses may err in it.
-  const bool due = observations_.size() < kFew || observations_.size() >= 2 * reference_chosen_at_;
+  const bool due = observations_.size() < WorkSchedule::kShortTrack || observations_.size() >= 2 * reference_chosen_at_;
   if (!reference_search_ && !due) return;
   if (!reference_search_) reference_search_.emplace(config_);
   if (!reference_search_->advance(observations_, track.width, track.height, schedule_.isEverything())) return;
   const ReferencePoint best = reference_search_->best(reference_chosen_at_ > 0 ? &reference_ : nullptr);
   reference_search_.reset();
-  reference_chosen_at_ = std::max(kFew / 2, observations_.size());
+  reference_chosen_at_ = std::max(WorkSchedule::kShortTrack / 2, observations_.size());
   if (best.x == reference_.x && best.y == reference_.y) return;
   for (const auto& model : models_)
     model->moveReference(best.offset(track.width, track.height) - reference_.offset(track.width, track.height));
@@ -83,7 +81,7 @@ void FrontLearner::fitModels(const PoseSequence& track, bool parametric) {
     const bool may_rest = parametric && !reference_moved_ && model.type() != learned_.type;
     // What can hardly win rests for four updates of five.
     const bool hopeless = model.largestAdvantage() < 0 && observations_.size() % 5 != 0 && !schedule_.isEverything();
-    const bool rests = may_rest && (schedule_.nextRests(track.size()) || (hopeless && track.size() > kFew));
+    const bool rests = may_rest && (schedule_.nextRests(track.size()) || (hopeless && track.size() > WorkSchedule::kShortTrack));
     if (!rests && !model.fit(track, schedule_.fit(track.size()))) continue;
     if (isNegligible(model, candidates_)) continue;
     candidates_.push_back(evaluateCandidate(&model, track, config_));
@@ -196,7 +194,7 @@ void FrontLearner::learn(const Track& track) {
   if (!evidence_.isEstablished()) detector.emplace(track, poses_, config_);
   const MotionDetector* asked = detector ? &*detector : nullptr;
   // A log is of something that was moved. What a detector sees most likely rests, as does what has been watched at rest.
-  const bool rested = !placed_anew_ && observations_.size() >= kFew && !learned_.moved;
+  const bool rested = !placed_anew_ && observations_.size() >= WorkSchedule::kShortTrack && !learned_.moved;
   const double of_detector = spaced_.orientation_weights.empty() ? 0 : std::log(config_.rest_odds);
   const double least_odds = std::max(rested ? JointEvidence::kPriorOdds : MotionDetector::kLogOdds, of_detector);
   compareMotions(asked);

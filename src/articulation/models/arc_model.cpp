@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "articulation/fitting/initial_arc.h"
+#include "articulation/paths/nearest_on_arc.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -101,7 +102,7 @@ void ArcModel::orient(const PoseSamples& samples) {
   };
   double min = std::numeric_limits<double>::infinity(), max = -min;
   double first = std::numeric_limits<double>::quiet_NaN();
-  const double limit = 3 * sigmaPosition(samples, config_);
+  const double limit = outlierDistance(samples, config_);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (arc_.squaredDistance(samples.positions[i]) > limit * limit) continue;
     const double s = lengthOf(i);
@@ -128,8 +129,7 @@ double ArcModel::arcLength(const Eigen::Isometry3d& pose) const {
     const double twist = Eigen::Vector3d(rest.vec()).dot(arc_.axis());
     return 2 * std::atan2(rest.w() < 0 ? -twist : twist, std::abs(rest.w()));
   };
-  // Close to the axis the orientation says better than the position how far the front has turned.
-  if (2.5 * ratio > 1) s = turnAt(0) / arc_.curvature;
+  if (kReachOfOrientations * ratio > 1) s = turnAt(0) / arc_.curvature;
   const Eigen::Isometry3d predicted = arc_.pose(s);
   const Eigen::Vector3d tangent = Eigen::AngleAxisd(arc_.curvature * s, arc_.axis()) * arc_.tangent();
   const double along = tangent.dot(pose.translation() - predicted.translation());
@@ -200,8 +200,7 @@ void ArcModel::tryOtherStart(const PoseSamples& samples, int steps) {
 }
 
 Eigen::MatrixXd ArcModel::parameterCovariance(const PoseSequence& track, double correlation) const {
-  const double inflation = config_.covariance_factor * (1 + correlation) / (1 - correlation);
-  const Eigen::MatrixXd covariance = inflation * arcCovariance(PoseSamples(track), shape_, fit_, config_);
+  const Eigen::MatrixXd covariance = covarianceInflation(correlation) * arcCovariance(PoseSamples(track), shape_, fit_, config_);
   Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(9, 9);
   padded.topLeftCorner(covariance.rows(), covariance.cols()) = covariance;
   return padded;

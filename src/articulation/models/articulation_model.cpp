@@ -12,18 +12,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-double pathLength(const ArticulationModel& model, double q_min, double q_max) {
-  constexpr int kSteps = 8;
-  double length = 0;
-  Eigen::Vector3d last = model.predict(q_min).translation();
-  for (int i = 1; i <= kSteps; ++i) {
-    const Eigen::Vector3d next = model.predict(q_min + (q_max - q_min) * i / kSteps).translation();
-    length += (next - last).norm();
-    last = next;
-  }
-  return length;
-}
-
 /// Whether value i is farther than `margin` from both neighbours (at an end: from the next two), which agree: a false
 /// detection rather than motion.
 bool isolated(const std::vector<double>& values, std::size_t i, double margin) {
@@ -95,6 +83,18 @@ std::vector<double> costsOfPlaces(const ModelResiduals& residuals, double spread
 
 }  // namespace
 
+double ArticulationModel::pathLength(double q_min, double q_max, const Eigen::Vector3d& point) const {
+  constexpr int kSteps = 8;  // an arc of a quarter turn is then too short by 0.2 %
+  double length = 0;
+  Eigen::Vector3d last = predict(q_min) * point;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Eigen::Vector3d next = predict(q_min + (q_max - q_min) * i / kSteps) * point;
+    length += (next - last).norm();
+    last = next;
+  }
+  return length;
+}
+
 std::vector<double> ArticulationModel::configurations(const PoseSequence& track) const {
   std::vector<double> q;
   for (const Eigen::Isometry3d& pose : track.poses) q.push_back(configuration(pose));
@@ -126,11 +126,11 @@ ModelResiduals ArticulationModel::residuals(const PoseSequence& track) const {
   }
   constexpr double kStep = 1e-3;
   const double speed = (predict(kStep).translation() - predict(0).translation()).norm() / kStep;
-  std::tie(residuals.q_min, residuals.q_max) = observedRange(residuals, 3 * sigma_position, std::max(speed, 1e-6));
+  std::tie(residuals.q_min, residuals.q_max) = observedRange(residuals, outlierDistance(track, config_), std::max(speed, 1e-6));
   if (moves() && track.size() > 0) {
     // Successive poses tell one turn from the next: the place within a turn is what is free.
     const double once = traits().turns ? std::min(residuals.q_max, residuals.q_min + 2 * M_PI) : residuals.q_max;
-    residuals.path = pathLength(*this, residuals.q_min, once);
+    residuals.path = pathLength(residuals.q_min, once, Eigen::Vector3d::Zero());
     residuals.freedom = costOfFreedom(track, residuals);
   }
   return residuals;
@@ -150,6 +150,10 @@ double ArticulationModel::logLikelihood(const PoseSequence& track, const ModelRe
   }
   const double sum = -3 * std::log(spread) * static_cast<double>(costs.size()) - sumWithoutExceptions(costs);  // Eq. (10)
   return sum - residuals.freedom;
+}
+
+double ArticulationModel::covarianceInflation(double correlation) const {
+  return config_.covariance_factor * (1 + correlation) / (1 - correlation);
 }
 
 double ArticulationModel::costOfFreedom(const PoseSequence& track, const ModelResiduals& residuals) const {

@@ -104,17 +104,26 @@ class ArticulationModel {
 
   ModelResiduals residuals(const PoseSequence& track) const;
 
+  /// [m] Way of a point of the front from q_min to q_max; `point` as seen from the observed one, in the front's frame.
+  double pathLength(double q_min, double q_max, const Eigen::Vector3d& point) const;
+
   /// log p(D | M), Eqs. (6)-(10), for independent Gaussian noise: positions and orientations with their own sigmas, q
   /// uniform over the observed path, or as it was seen to be where that is more probable. The orientation's sigma counts
   /// `caution` times.
   double logLikelihood(const PoseSequence& track, const ModelResiduals& residuals, double caution = 1) const;
 
  protected:
+  /// By which covariances exceed those of independent residuals, where `correlation` is that of each with the next.
+  double covarianceInflation(double correlation) const;
+
   ArticulationConfig config_;
 
  private:
   double costOfFreedom(const PoseSequence& track, const ModelResiduals& residuals) const;
 };
+
+/// [m/rad] What the place of a learned joint's front says about q against its turn: 3 mm weigh as much as 0.1 rad (ours).
+constexpr double kMetresPerRadian = 0.03;
 
 /// Of the given type, a front of 0.4 by 0.6 m that is closed: for examples of joints.
 LearnedModel closedExample(JointType type);

@@ -14,9 +14,6 @@ constexpr int kCurvePoses = 33;
 
 constexpr double kShortestWay = 1e-6;  ///< [m] ours: fits begin at thousands of it
 
-/// For learned models: what a front's place says about q against its turn, as for a rotational joint.
-constexpr double kMetresPerRadian = 0.03;
-
 /// Places along a line or a circle to start from.
 std::vector<double> placesAlong(PathShape shape, const PoseSamples& samples, const ArticulationConfig& config) {
   const Arc arc = consensusArc(samples, shape, config);
@@ -71,7 +68,7 @@ void NonparametricModel::take(const CurveFit& fit, const PoseSequence& track) {
   double first = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < track.size() && std::isnan(first); ++i) {
     const double q = fit.curve.nearest(track.poses[i], metres_per_radian_);
-    if ((fit.curve.pose(q).translation() - track.poses[i].translation()).norm() <= 3 * sigmaPosition(track, config_)) first = q;
+    if ((fit.curve.pose(q).translation() - track.poses[i].translation()).norm() <= outlierDistance(track, config_)) first = q;
   }
   if (std::isnan(first)) first = fit.curve.nearest(track.poses.front(), metres_per_radian_);
   const auto knots = static_cast<std::size_t>(fit.covariance.rows());
@@ -99,7 +96,7 @@ std::vector<Eigen::Isometry3d> NonparametricModel::curve(double q_min, double q_
 }
 
 Matrix6d NonparametricModel::covariance(const PoseSequence&, const Eigen::Vector3d& p, double correlation) const {
-  const double inflation = config_.covariance_factor * (1 + correlation) / (1 - correlation) * variance_;
+  const double inflation = covarianceInflation(correlation) * variance_;
   return pointCovariance(inflation * position_scale_ * position_scale_, inflation * orientation_scale_ * orientation_scale_,
                          p - predict(0).translation());
 }

@@ -68,7 +68,7 @@ Matrix6d RigidModel::covariance(const PoseSequence& track, const Eigen::Vector3d
     position += all.position[i].squaredNorm() / 3;
     orientation += all.orientation[i].squaredNorm() / 3;
   }
-  const double inflation = config_.covariance_factor * (1 + correlation) / (1 - correlation) / n;
+  const double inflation = covarianceInflation(correlation) / n;
   const double floor = config_.sigma_position_floor * config_.sigma_position_floor;
   return pointCovariance(inflation * (position / n + floor), inflation * orientation / n, p - pose_.translation());
 }

@@ -9,9 +9,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// What a front's place says about q against its turn: 3 mm weigh as much as 0.1 rad.
-constexpr double kMetresPerRadian = 0.03;
-
 /// [m] Distance of a front's observed point from its hinge beyond which doors become rare, and the standard deviation of its
 /// logarithm there: the doors of cabinets are up to 0.6 m wide, those of appliances 0.75 m, of rooms 0.9 m (ours).
 constexpr double kTypicalRadius = 0.4, kRadiusSpread = 0.4;

@@ -166,7 +166,7 @@ void ScrewModel::findShift(const PoseSequence& track, const std::vector<double>&
 }
 
 void ScrewModel::orient(const PoseSequence& track, const std::vector<double>& turns) {
-  const double limit = 3 * sigmaPosition(track, config_);
+  const double limit = outlierDistance(track, config_);
   std::vector<double> near;
   const Eigen::Vector3d axis = turning_.geometry().axis;
   for (std::size_t i = 0; i < track.size(); ++i) {

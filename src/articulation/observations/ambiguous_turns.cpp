@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/turn_between.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -29,10 +31,6 @@ Eigen::Matrix3d descriptionOf(std::size_t i) {
   return (quarters * back).toRotationMatrix();
 }
 
-double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
-}
-
 }  // namespace
 
 Eigen::Isometry3d AmbiguousTurns::Description::operator()(const Eigen::Isometry3d& pose) const {
@@ -45,12 +43,12 @@ Eigen::Isometry3d AmbiguousTurns::Description::operator()(const Eigen::Isometry3
 /// [nats] Of a step from one pose to another.
 double AmbiguousTurns::cost(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) const {
   const double moved = (to.translation() - from.translation()).norm() / sigma_position_;
-  const double turned = angleBetween(from, to) / sigma_orientation_;
+  const double turned = turnBetween(from, to) / sigma_orientation_;
   return (moved * moved + turned * turned) / 4;  // two poses err
 }
 
 bool AmbiguousTurns::areNear(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) const {
-  return angleBetween(from, to) < kEighth && cost(from, to) < kFarthest;
+  return turnBetween(from, to) < kEighth && cost(from, to) < kFarthest;
 }
 
 AmbiguousTurns::Resolved AmbiguousTurns::resolve(const Eigen::Isometry3d& pose) {

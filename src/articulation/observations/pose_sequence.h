@@ -47,6 +47,15 @@ double sigmaOrientation(const Poses& poses, const ArticulationConfig& config) {
   return std::max(config.sigma_orientation, poses.orientation_jitter);
 }
 
+/// Standard deviations beyond which a pose or a residual is an outlier: the usual three (ours).
+constexpr double kOutlierSigmas = 3;
+
+/// [m] Distance from a path beyond which a pose is an outlier.
+template <class Poses>
+double outlierDistance(const Poses& poses, const ArticulationConfig& config) {
+  return kOutlierSigmas * sigmaPosition(poses, config);
+}
+
 /// The poses of these indices, which ascend. run_starts are taken over as they are.
 PoseSequence selected(const PoseSequence& track, const std::vector<std::size_t>& indices);
 

@@ -16,6 +16,10 @@ struct ArcPlace {
   double stretch = 0;  ///< [m^2] (theta - sin theta) / curvature^2: the same along the tangent, at fixed s
 };
 
+/// Where an orientation says better than a position how far an arc has turned: less than so many times the ratio of their noise
+/// [m/rad] from its axis (ours).
+constexpr double kReachOfOrientations = 2.5;
+
 /// The nearest place; `length`, `theta` and `stretch` are left out.
 ArcPlace nearestPlace(const Eigen::Vector3d& p, double curvature);
 

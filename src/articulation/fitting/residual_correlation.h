@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace cabinet_articulation::core {
+
+inline double innerProduct(double a, double b) { return a * b; }
+inline double innerProduct(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.dot(b); }
+
+/// Correlation of each residual with the next, from 0 to below 1; 0 where all residuals are 0. They are cut beforehand, so that
+/// single outliers do not hide it.
+template <class Residual>
+double correlationWithNext(const std::vector<Residual>& cut) {
+  constexpr double kMost = 0.99;  // beyond, almost nothing would count as independent (ours)
+  double product = 0, square = 0;
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    if (i > 0) product += innerProduct(cut[i], cut[i - 1]);
+    square += innerProduct(cut[i], cut[i]);
+  }
+  return square > 0 ? std::clamp(product / square, 0.0, kMost) : 0;
+}
+
+}  // namespace cabinet_articulation::core
