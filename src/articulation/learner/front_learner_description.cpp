@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "articulation/learner/front_learner.h"
+#include "articulation/learner/model_description.h"
+
+namespace cabinet_articulation::core {
+
+std::vector<LearnedModel> FrontLearner::candidates() const {
+  std::vector<LearnedModel> all;
+  for (const Candidate& candidate : candidates_) all.push_back(describe(candidate));
+  const auto probability = [](const LearnedModel& model) { return model.probabilities[static_cast<std::size_t>(model.type)]; };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const LearnedModel& a, const LearnedModel& b) { return probability(a) > probability(b); });
+  return all;
+}
+
+LearnedModel FrontLearner::describe(const Candidate& candidate) const {
+  LearnedModel learned;
+  learned.id = front_.id;
+  learned.stamp = poses_.stamps.back();
+  learned.type = candidate.model->type();
+  learned.probabilities = selection_.probabilities;
+  learned.moved = selection_.moved;
+  learned.explained = selection_.explained;
+  learned.width = front_.width;
+  learned.height = front_.height;
+  learned.observations = static_cast<int>(observations_.size());
+  learned.q = candidate.model->configuration(poses_.poses.back());
+  describeJoint(candidate, spaced_, reference_.offset(front_.width, front_.height), config_, &learned);
+  return learned;
+}
+
+/// The joint as it was found last, with the front where it is now.
+LearnedModel FrontLearner::describeKnownJoint() const {
+  LearnedModel learned = *joint_;
+  learned.id = front_.id;
+  learned.stamp = poses_.stamps.back();
+  learned.q = knownJoint().configuration(poses_.poses.back());
+  learned.observations = static_cast<int>(observations_.size());
+  return learned;
+}
+
+}  // namespace cabinet_articulation::core
