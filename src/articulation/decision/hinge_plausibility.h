@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "articulation/decision/model_selection.h"
+#include "articulation/decision/candidate.h"
 #include "cabinet_articulation/tracking/track.h"
 
 namespace cabinet_articulation::core {

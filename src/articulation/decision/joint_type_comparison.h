@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "articulation/decision/model_selection.h"
+#include "articulation/decision/candidate.h"
 #include "articulation/fitting/work_schedule.h"
 #include "articulation/observations/observation_history.h"
 #include "cabinet_articulation/articulation/articulation_config.h"

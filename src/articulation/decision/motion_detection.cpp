@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "articulation/observations/observation_covariance.h"
 #include "articulation/observations/pose_jitter.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/fitting/arc_fit.h"
 
+#include <Eigen/QR>
+#include <limits>
 #include <type_traits>
 
 #include "articulation/fitting/arc_fit_iteration.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "articulation/fitting/arc_fit.h"
 #include "articulation/fitting/arc_problem.h"

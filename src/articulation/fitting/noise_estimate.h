@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "articulation/fitting/arc_problem.h"
 #include "articulation/fitting/typical_noise.h"

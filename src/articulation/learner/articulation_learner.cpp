@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "articulation/learner/front_learner.h"
 #include "articulation/models/model_registry.h"

@@ -12,7 +12,9 @@
 #include "articulation/fitting/reference_point_search.h"
 #include "articulation/fitting/work_schedule.h"
 #include "articulation/models/known_joint.h"
-#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/articulation/learned_model.h"
+#include "cabinet_articulation/tracking/track.h"
 
 namespace cabinet_articulation::core {
 

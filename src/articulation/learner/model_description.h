@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "articulation/decision/model_selection.h"
+#include "articulation/decision/candidate.h"
 
 namespace cabinet_articulation::core {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "articulation/fitting/initial_arc.h"
 #include "articulation/paths/nearest_on_arc.h"

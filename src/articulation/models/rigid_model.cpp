@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/models/rigid_model.h"
 
-#include <Eigen/LU>
-#include <cmath>
+#include <Eigen/Cholesky>
+#include <vector>
+
+#include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -12,14 +14,13 @@ constexpr double kTolerance = 1e-6;  ///< [m], [rad]
 
 /// Coordinate-wise median: a start that gross outliers cannot move.
 Eigen::Vector3d medianPosition(const PoseSamples& samples) {
-  Eigen::Vector3d median;
+  Eigen::Vector3d position;
   std::vector<double> values(samples.size());
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < samples.size(); ++i) values[i] = samples.positions[i][axis];
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    median[axis] = values[values.size() / 2];
+    position[axis] = median(values);
   }
-  return median;
+  return position;
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "articulation/models/articulation_model.h"
 
 namespace cabinet_articulation::core {

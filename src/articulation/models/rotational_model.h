@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "articulation/models/arc_model.h"
 
 namespace cabinet_articulation::core {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "articulation/fitting/pitch_fit.h"
 #include "articulation/paths/arc.h"
 #include "geometry/cross_matrix.h"
 #include "geometry/median.h"
@@ -233,7 +232,6 @@ Matrix6d ScrewModel::jacobianOfLearned(const LearnedModel& model, double q) {
 LearnedModel ScrewModel::example() {
   LearnedModel screw = RotationalModel::example();
   screw.type = kTraits.type;
-  screw.probabilities = closedExample(kTraits.type).probabilities;
   screw.pitch = 0.008;
   screw.q_max = 8;  // more than a turn
   return screw;

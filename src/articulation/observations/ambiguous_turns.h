@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 namespace cabinet_articulation::core {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/tracking/track.h"
 

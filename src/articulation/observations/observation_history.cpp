@@ -2,6 +2,7 @@
 #include "articulation/observations/observation_history.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>

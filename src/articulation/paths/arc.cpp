@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "articulation/paths/arc.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cabinet_articulation::core {

@@ -28,7 +28,6 @@ class PoseCurve {
 
   double first() const { return first_; }
   double last() const { return first_ + step_ * static_cast<double>(knots_.size() - 1); }
-  bool empty() const { return knots_.empty(); }
 
   Eigen::Isometry3d pose(double q) const;
 
