@@ -18,8 +18,8 @@ TEST(ArticulationLearner, LearnsADoor) {
     EXPECT_TRUE(model.moved);
     EXPECT_TRUE(model.explained);
     EXPECT_GT(probability(model, JointType::kRotational), 0.95) << seed;
-    // 100 positions with 3 mm noise leave the bend's depth uncertain by 0.3 mm. Over 69 degrees it is 3.5 cm deep, so that
-    // the radius is uncertain by 2 %, and the tilt about the chord by 1.6 degrees were there no orientations.
+    // 100 positions with 3 mm noise leave the bend's depth uncertain by 0.3 mm. Over 69 degrees it is 3.5 cm deep, so that the
+    // radius is uncertain by 2 %. Without orientations, the tilt about the chord would be uncertain by 1.6 degrees.
     EXPECT_NEAR(model.radius, 0.2, 0.012) << seed;
     EXPECT_LT(angleBetweenLines(model.axis, trueAxis(front)), 2 * kDegree) << seed;
     EXPECT_GT(model.axis.dot(trueAxis(front)), 0) << "q must grow with the opening";

@@ -41,7 +41,8 @@ TEST(EarlyDecision, TwoPosesTellADrawer) {
 
 TEST(EarlyDecision, ErrorsAreThoseOfTheOrientationsThemselves) {
   const LearnedModel model = learn(reported(door(), 40, 0.1, 1.2));
-  // 3 mrad in each direction, and about the axis 5 more by which 1 mm at 20 cm misplaces q: sqrt(8 / pi / 3) of their norm.
+  // 3 mrad in each direction, and about the axis 5 more by which 1 mm at 20 cm misplaces q. The mean is sqrt(8 / pi / 3) of their
+  // norm.
   EXPECT_NEAR(model.orientation_error, 0.92 * std::sqrt(3 * 0.003 * 0.003 + 0.005 * 0.005), 0.0012);
 }
 

@@ -10,8 +10,8 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// How far an update may be from a fresh fit, in its own standard deviations: once the front has been seen, and while it
-/// opens, when steps follow the poses.
+/// How far an update may be from a fresh fit, in its own standard deviations. The first is once the front has been seen, the
+/// second while it opens, when steps follow the poses.
 constexpr double kTolerance = 0.25, kToleranceInMotion = 0.75;
 
 /// What real logs are like: the hand rests at either end, slips, and some detections are false.

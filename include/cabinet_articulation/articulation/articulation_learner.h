@@ -32,8 +32,8 @@ class ArticulationLearner {
   std::unique_ptr<State> state_;
 };
 
-/// All candidate models of one track, the best first, but for special cases that a simpler joint makes improbable (a screw
-/// without a pitch); empty if no observation is usable.
+/// All candidate models of one track, the best first; empty if no observation is usable. Special cases that a simpler joint makes
+/// improbable are left out, as a screw without a pitch.
 std::vector<LearnedModel> fitAllModels(const Track& track, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

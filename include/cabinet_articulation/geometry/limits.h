@@ -8,7 +8,7 @@
 namespace cabinet_articulation::core {
 
 /*
- * What may come from outside: messages, requests, files, bags. Whatever reads them refuses everything else, so that no number
+ * What may come from outside: messages, requests, files, bags. Whatever reads them refuses everything else. So no number
  * overflows behind it, and no sender holds up or ends the stages that share a process. All other code trusts this.
  *
  * Lengths are far beyond every cabinet and camera, and far within what the arithmetic can carry (ours).

@@ -12,8 +12,8 @@ namespace cabinet_articulation::core {
 /// The edges in the order in which messages and covariances list them.
 enum Edge { kEdgeMinusX = 0, kEdgePlusX = 1, kEdgeMinusY = 2, kEdgePlusY = 3 };
 
-/// A rectangle in space. `pose` places its CENTRE in the frame the context names: x along the width, y along the height,
-/// z the normal on the side that was seen.
+/// A rectangle in space. `pose` places its CENTRE in the frame the context names: x is along the width, y along the height. z is
+/// the normal on the side that was seen.
 struct Rectangle {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   double width = 0;   ///< [m]
@@ -27,8 +27,8 @@ struct Rectangle {
   std::array<Eigen::Vector3d, 4> corners() const;
 };
 
-/// The eight parameter vectors that describe one rectangle (paper, III-C): index k = 0..3 turns the axes by k * 90
-/// degrees about the normal (width and height swap for odd k), k = 4..7 the same seen from the back.
+/// The eight parameter vectors that describe one rectangle (paper, III-C). Index k = 0..3 turns the axes by k * 90 degrees about
+/// the normal; width and height swap for odd k. Index k = 4..7 does the same as seen from the back.
 constexpr int kDescriptions = 8;
 Rectangle describe(const Rectangle& rectangle, int k);
 

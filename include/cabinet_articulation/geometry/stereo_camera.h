@@ -18,9 +18,9 @@ struct StereoCamera {
   double baseline = 0;       ///< [m] positive, right camera at +x
   double cx_difference = 0;  ///< [px] cx of the left minus cx of the right camera
 
-  /// From the 3x4 projection matrices P of the two CameraInfos (row-major).
-  /// Throws std::invalid_argument that names the element, its value and what was expected: focal lengths must be
-  /// positive, the right P[3] = -fx * baseline must be negative, and all within geometry/limits.h.
+  /// From the 3x4 projection matrices P of the two CameraInfos (row-major). Throws std::invalid_argument that names the element,
+  /// its value and what was expected. Focal lengths must be positive, the right P[3] = -fx * baseline must be negative, and all
+  /// within geometry/limits.h.
   static StereoCamera fromProjections(int width, int height, const std::array<double, 12>& P_left,
                                       const std::array<double, 12>& P_right);
 

@@ -20,8 +20,8 @@ std::vector<Eigen::Vector3d> cutAt(double limit, std::vector<Eigen::Vector3d> re
   return residuals;
 }
 
-/// Correlation of the autoregressive sequence whose mean is as uncertain as that of the residuals: noise of which a part is
-/// slow forgets later than its correlation from one to the next says. Sums correlations while pairs of them are positive.
+/// Correlation of the autoregressive sequence whose mean is as uncertain as that of the residuals. Noise that is slow in part has
+/// a longer memory than its correlation with the next says. Sums correlations while pairs of them are positive.
 double longMemory(const std::vector<Eigen::Vector3d>& cut) {
   double square = 0;
   for (const Eigen::Vector3d& residual : cut) square += residual.squaredNorm();

@@ -10,8 +10,8 @@ struct Candidate {
   ArticulationModel* model = nullptr;
   ModelResiduals residuals;
   double log_likelihood = 0;  ///< Eq. (10)
-  /// The same as if planes that report how certain they are erred by sigma_position, not sigma_plane: those that stand still
-  /// do while they take in parts of what comes out of them.
+  /// The same if planes that report how certain they are erred by sigma_position, not sigma_plane. Planes at rest do while they
+  /// take in parts of what comes out of them.
   double cautious_log_likelihood = 0;
   double evidence = 0;        ///< of models that move: sequence log-likelihood less the penalty for complexity
   double correlation = 0;     ///< of one position residual with the next
@@ -25,8 +25,8 @@ struct Candidate {
 /// Residuals and likelihoods of a fitted model.
 Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track, const ArticulationConfig& config);
 
-/// Whether the track is what this model says, but for some poses. Only what residuals have in common with the next ones counts: a
-/// motion that the model does not describe goes on from pose to pose, noise and jumps do not. The noise of real tracks is slow,
+/// Whether the track is what this model says, but for some poses. Only what residuals have in common with the next ones counts. A
+/// motion that the model does not describe goes on from pose to pose; noise and jumps do not. The noise of real tracks is slow,
 /// so that no less than centimetres tell.
 bool explains(const Candidate& candidate, const ArticulationConfig& config);
 

@@ -13,10 +13,10 @@ namespace cabinet_articulation::core {
  * Evidence for and against a joint (ours). What a front did once it did: rest, thinned histories and hidden edges say nothing
  * against that, only poses off the joint's path do.
  *
- * A joint is established when the likelihood that its front moved outweighs the prior of a rectangle that does. Observations
- * on its path support it, those off the path contradict it. On either side only those count that are at least sigma_position
- * from all that did before, so that neither rest nor the frame rate nor use again and again counts. Each observation on the path
- * takes back one that contradicts. The joint is given up when half as many contradict as support it, but no fewer than five.
+ * A joint is established when the likelihood that its front moved outweighs the prior of a rectangle that does. Observations on
+ * its path support it, those off the path contradict it. On either side only those count that are at least sigma_position from
+ * all that did before. So neither rest, nor the frame rate, nor repeated use counts. Each observation on the path takes back one
+ * that contradicts. The joint is given up when half as many contradict as support it, but no fewer than five.
  */
 class JointEvidence {
  public:

@@ -19,8 +19,8 @@ constexpr int kFirstSteps = 24;  ///< of the first look at each model: until it 
 
 constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
 
-/// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with: a sequence is
-/// tied to the path by its first residual, which must not be a false detection.
+/// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with. A sequence is tied
+/// to the path by its first residual, which must not be a false detection.
 PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidate>& candidates, double limit) {
   const auto explained = [&](const Eigen::Isometry3d& pose) {
     return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {

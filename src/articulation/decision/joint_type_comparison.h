@@ -12,7 +12,7 @@
 namespace cabinet_articulation::core {
 
 /// The evidence of models that move, by how likely the sequence of a track's poses is to each. What takes long is spread over
-/// updates: a comparison stays with the poses it began with until it is done, and says what it has found so far.
+/// updates. A comparison stays with the poses it began with until it is done, and says what it has found so far.
 class JointTypeComparison {
  public:
   /// Poses by which moving models are compared where that is clear: runs of a long track tell as much of its noise as all.

@@ -42,8 +42,8 @@ struct Roles {
   const Candidate* free = nullptr;    ///< a curve of any shape
 };
 
-/// Puts a joint's evidence on one scale with that of a simpler one, to which `added_before` was added: what independent residuals
-/// say, as far as it is no systematic error. What it adds itself.
+/// Puts a joint's evidence on one scale with that of a simpler one, to which `added_before` was added. Adds what independent
+/// residuals say, as far as it is no systematic error, and returns that.
 double addIndependentEvidence(Candidate* candidate, const Candidate& simpler, double added_before, const PoseSequence& track,
                               const ArticulationConfig& config) {
   candidate->evidence += added_before;

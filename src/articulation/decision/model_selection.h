@@ -18,15 +18,15 @@ struct Selection {
 };
 
 /**
- * The best model, Eq. (11), in two steps, because residuals of real tracks follow one another so strongly that as
- * independent ones they make every millimetre of bow a door (ours; measured on 105 real logs).
+ * The best model, Eq. (11), in two steps (ours). Residuals of real tracks follow one another strongly: taken as independent, they
+ * make every millimetre of bow a door (measured on 105 real logs).
  *
- * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). Where
- * poses do not say how certain they are, a model whose path bends by less than sagitta_min, and on which the front hardly
- * turns, is not preferred to a simpler one. Between rigid and moving they are not, since such a sequence explains slow motion
- * by itself: there they are independent, the likelihood counts for as many poses as are independent, and the motion must pass
- * `detector` and have `log_odds` [nats], or be evident to it, unless it is null: then it is known that the front moves. So they
- * are between a joint that does not explain the motion and a curve of any shape.
+ * Between models that move, residuals are a sequence with correlated steps (ArticulationModel::sequenceLogLikelihood). Poses may
+ * not say how certain they are. Then a model whose path bends by less than sagitta_min, and on which the front hardly turns, is
+ * not preferred to a simpler one. Between rigid and moving, residuals are taken as independent, since a correlated sequence
+ * explains slow motion by itself. There the likelihood counts for as many poses as are independent. The motion must also pass
+ * `detector` and have `log_odds` [nats], or be evident to `detector`. Where `detector` is null, it is known that the front moves.
+ * Residuals are also independent between a joint that does not explain the motion and a curve of any shape.
  */
 Selection selectModel(std::vector<Candidate>* candidates, const PoseSequence& track, const MotionDetector* detector,
                       double log_odds, const ArticulationConfig& config);

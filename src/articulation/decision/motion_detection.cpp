@@ -30,12 +30,12 @@ constexpr double kQuick = 0.5;       ///< [s] within which a hand hardly turns r
 
 constexpr std::size_t kNarrowPoses = 20;  ///< for more than an arm's passing
 
-/// Largest share of the variation that may go back and forth (measured: faces of clutter that tilt 0.3 to 1.4, fronts that open
-/// less than 0.03).
+/// Largest share of the variation that may go back and forth. Measured: 0.3 to 1.4 of faces of clutter that tilt, less than 0.03
+/// of fronts that open.
 constexpr double kRestless = 0.25;
 
-/// Steps that lead back where the step before came from: a front that is moved, however unevenly, makes hardly any from one
-/// frame to the next; of frames far apart nothing can be said.
+/// By steps that lead back where the step before came from. A front that is moved, however unevenly, makes hardly any from one
+/// frame to the next. Of frames far apart nothing can be said.
 double jitterOf(const PoseSequence& poses, const Eigen::Vector3d& point) {
   std::vector<double> back;
   const std::size_t stride = std::max<std::size_t>(1, poses.size() / kTriples);
@@ -95,9 +95,9 @@ double edgeSupport(const ModelResiduals& residuals, const PoseSequence& poses) {
   return best;
 }
 
-/// How much places along the way go back and forth from one pose to the next, as a share of how they vary at all: 1 for white
-/// noise, 0.4 where noise has a correlation of a half, 0 for a way that was gone along however unevenly. Of poses that are far
-/// apart nothing can be said: there and back may be two motions.
+/// How much places along the way go back and forth from one pose to the next, as a share of how they vary. That is 1 for white
+/// noise, 0.4 where noise has a correlation of a half, and 0 for a one-way motion, however uneven. Of poses that are far apart
+/// nothing can be said: there and back may be two motions.
 double restlessness(const ModelResiduals& residuals, const PoseSequence& poses) {
   constexpr double kOfWhiteNoise = 1.218;  // mean of max(0, -a b) for successive steps a, b of white noise of unit variance
   double back = 0, mean = 0, square = 0;

@@ -11,13 +11,13 @@
 namespace cabinet_articulation::core {
 
 /**
- * Whether a front moved (ours). Pieces of furniture that are hardly visible jitter by centimetres and tens of degrees while
- * they stand still. Some point of the front must have come farther than motion_min, than motion_to_jitter times its jitter
- * from one frame to the next, and than motion_to_noise times its distance from where the model says. It must have been seen in
- * between, too, and its place along the way must not go back and forth from one frame to the next. There is no
- * motion while the median observation has less than edge_support_min of its edges on every third of the way, there are fewer
- * than observations_min, few that do not follow one another at once or are of something small, or few of something narrow, as
- * hands and arms give.
+ * Whether a front moved (ours). Pieces of furniture that are hardly visible jitter by centimetres and tens of degrees while they
+ * stand still. Some point of the front must have come farther than motion_min, and than motion_to_jitter times its jitter from
+ * one frame to the next. It must also have come farther than motion_to_noise times its distance from where the model says. It
+ * must have been seen in between, and must not go back and forth along the way from one frame to the next. There is no motion
+ * while the median observation has less than edge_support_min of its edges on every third of the way. Nor is there with fewer
+ * observations than observations_min. Few observations must follow one another at once, and be of nothing small. More are needed
+ * of something narrow, as hands and arms are.
  */
 class MotionDetector {
  public:
@@ -33,10 +33,10 @@ class MotionDetector {
   /// `residuals` are those of `poses`, which may be thinned out.
   bool passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
 
-  /// [nats] The odds that a front moved that was seen a few times only, from two on. How far a point came beside what the
-  /// observations say is uncertain counts in place of motion_min, no faster than hands are; rest_odds are against it. A front
-  /// that has stood still for longer is not asked: a plane at rest seems to turn when it takes in a part of something else. Minus
-  /// infinity: nothing can be said so early.
+  /// [nats] The odds that a front moved that was seen a few times only, from two on. In place of motion_min counts how far a
+  /// point came beside its uncertainty, no faster than hands are; rest_odds are against it. A front that has stood still for
+  /// longer is not asked. A plane at rest seems to turn when it takes in a part of something else. Minus infinity: nothing can be
+  /// said so early.
   double earlyLogOdds(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const;
 
   bool isEvidentEarly(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const {

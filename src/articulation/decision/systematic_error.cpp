@@ -13,7 +13,7 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// Systematic error of a path's bow as a share of the noise of its poses, of whose variance a hundredth is common to them all:
+/// Systematic error of a path's bow as a share of the noise of its poses, of whose variance a hundredth is common to all. It is
 /// that of the bow of a parabola through a hundred poses.
 constexpr double kSystematicBow = 0.34;
 

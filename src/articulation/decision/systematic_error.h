@@ -11,13 +11,13 @@ double bowOfPath(const Candidate& candidate);
 /// [rad] Angle by which the front turned along the observed path.
 double turnAlongPath(const Candidate& candidate);
 
-/// [nats] Most that a joint that turns may win over one that does not, where poses do not say how certain they are (ours): views
-/// of a marker change along the way, and with them what its place and its orientation err by. Infinity: no limit.
+/// [nats] Most that a joint that turns may win over one that does not (ours), where poses do not say how certain they are. Views
+/// of a marker change along the way, and with them the errors of its place and its orientation. Infinity: no limit.
 double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track,
                                  const ArticulationConfig& config);
 
-/// [nats] Most that a joint that does not turn may win over one that does, where poses do not say how certain they are (ours):
-/// what a wide door would have bent and turned by on a way of that length, beside what that errs by. Infinity: no limit.
+/// [nats] Most that a joint that does not turn may win over one that does (ours), where poses do not say how certain they are. It
+/// is what a wide door would have bent and turned by on a way of that length, beside the errors of both. Infinity: no limit.
 double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -68,10 +68,10 @@ struct SequenceFit {
 /// What a fresh sequence fit starts from.
 SequenceFit sequenceStart(const PoseSamples& samples, const ArcFit& fit, const Arc& start, const ArticulationConfig& config);
 
-/// The most likely path near `start` when residuals are an autoregressive sequence of first order with Student's t
-/// innovations: what tells a bowed drawer from a door, where slip and calibration make residuals follow one another. It
-/// is good for choosing and bad for parameters (measured). `fit` gives the scales that place poses along the path.
-/// A result that is clearly better or worse than a rival need not be the best. Without any step only the noise is found.
+/// The most likely path near `start` when residuals are an autoregressive sequence of first order with Student's t innovations.
+/// It tells a bowed drawer from a door, where slip and calibration make residuals follow one another. It is good for choosing and
+/// bad for parameters (measured). `fit` gives the scales that place poses along the path. A result that is clearly better or
+/// worse than a rival need not be the best. Without any step only the noise is found.
 SequenceFit fitArcSequence(const PoseSamples& samples, PathShape shape, const ArcFit& fit, const SequenceFit& start,
                            const FitEffort& effort, const ArticulationConfig& config);
 

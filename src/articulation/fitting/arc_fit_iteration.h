@@ -12,7 +12,7 @@
 
 namespace cabinet_articulation::core {
 
-/// [nats] Fits stop when a step gains less where the curvature is held at its limit: there the model is wrong, and its last
+/// [nats] Fits stop when a step gains less where the curvature is held at its limit. There the model is wrong, and its last
 /// digits do not matter.
 constexpr double kHeldTolerance = 0.5;
 

@@ -120,8 +120,8 @@ void fillBlock(const PoseSamples& samples, std::size_t i, const Evaluation& eval
   block->template topRows<3>().col(0) << place.along, place.outward, p.z();
   block->template bottomRows<3>().col(0) = residualRotation(turned * turnBack(c, s));
   if constexpr (kColumns > 1) {
-    // A rotation vector's derivative by a small turn is a matrix that leaves the vector itself alone: the identity in its
-    // place gives the exact gradient of its square.
+    // A rotation vector's derivative by a small turn is a matrix that leaves the vector itself alone. The identity in its place
+    // gives the exact gradient of its square.
     block->template rightCols<9>() << -s, 0, p.z() * s, -p.z() * c, p.y() * c - p.x() * s, -place.stretch, 0, 0, 0,  //
         c, 0, -p.z() * c, -p.z() * s, p.x() * c + p.y() * s, place.bend, 0, 0, 0,                                    //
         0, -1, -p.y(), p.x(), 0, 0, 0, 0, 0,                                                                         //

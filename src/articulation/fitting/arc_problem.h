@@ -8,8 +8,8 @@
 
 namespace cabinet_articulation::core {
 
-/// What the residuals of a track about its path are assumed to be: Student's t around zero, or around a share of the
-/// residual before (an autoregressive sequence of first order).
+/// What the residuals of a track about its path are assumed to be. It is Student's t around zero, or around a share of the
+/// residual before: an autoregressive sequence of first order.
 struct ResidualNoise {
   double position = 0.01;         ///< [m] scale
   double orientation = 0.1;       ///< [rad] scale
@@ -27,10 +27,11 @@ struct ResidualNoise {
 /// Which of the path's shapes a fit may choose from.
 enum class Curvature { kFree, kFixed };
 
-/// The residuals of a track about an Arc, as ceres::TinySolver takes them: half their square sum is the negative
-/// log-likelihood of the noise, up to a constant. However many poses there are, they are rotated into as many residuals as
-/// there are parameters and one more, which have the same products and cost the solver nothing. The best place along the path of
-/// each pose is eliminated from the problem. Parameters are increments to a base arc, so that rotations need no constraint:
+/// The residuals of a track about an Arc, as ceres::TinySolver takes them. Half their square sum is the negative log-likelihood
+/// of the noise, up to a constant. However many poses there are, they are rotated into one residual more than there are
+/// parameters. These have the same products, and cost the solver nothing. Two more residuals are those of the hinge. The best
+/// place along the path of each pose is eliminated from the problem. Parameters are increments to a base arc, so that rotations
+/// need no constraint.
 /// 0, 1: middle (inward, along the axis), 2-4: rotation of the frame, 5: curvature, 6-8: rotation of the orientation.
 template <bool kWithOrientation>
 class ArcProblem {
@@ -53,8 +54,8 @@ class ArcProblem {
   /// The base arc with increments applied.
   Arc arc(const double* parameters) const;
 
-  /// Negative log-likelihood of where the base arc's axis is, where something is known about the hinge: that of the last two
-  /// residuals, which are zero elsewhere.
+  /// Negative log-likelihood of where the base arc's axis is, where something is known about the hinge. It is that of the last
+  /// two residuals, which are zero otherwise.
   double hingeCost() const;
 
   /// Raw residuals [m, rad] of every pose about the base arc, one column each.

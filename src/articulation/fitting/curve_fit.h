@@ -21,8 +21,8 @@ struct CurveFit {
   Eigen::MatrixXd covariance;    ///< of one coordinate of the knots, in units of its squared scale
 };
 
-/// A principal curve: alternates between the smoothest knots that poses agree with, by penalised least squares with
-/// Student's t weights, and the places of the poses along the curve. `q` are places to start from [m].
+/// A principal curve: alternates between its knots and the places of the poses along it. The knots are the smoothest that poses
+/// agree with, by penalised least squares with Student's t weights. `q` are places to start from [m].
 CurveFit fitCurve(const PoseSamples& samples, const std::vector<double>& q, const ArticulationConfig& config, int rounds = 30);
 
 /// One round on from a fit to almost the same poses.

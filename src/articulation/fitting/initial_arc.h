@@ -7,7 +7,7 @@
 
 namespace cabinet_articulation::core {
 
-/// Where a fit may start: the line or circle that most positions agree on, among closed-form solutions from all poses
+/// Where a fit may start: the line or circle that most positions agree on. It is one of the closed-form solutions from all poses
 /// and from random pairs or triples.
 Arc consensusArc(const PoseSamples& samples, PathShape shape, const ArticulationConfig& config);
 

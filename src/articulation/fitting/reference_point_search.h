@@ -8,10 +8,10 @@
 
 namespace cabinet_articulation::core {
 
-/// Looks for the point of a front whose positions have the least noise about a circle, measured by the way they come (ours; a
-/// point far from the hinge is seen better than the centre, half of whose error comes from the edge at the hinge). The centre
-/// where the size hardly varies, once the front was seen more than a few times. One point at a time, so that a track that goes
-/// on need not wait.
+/// Looks for the point of a front whose positions have the least noise about a circle, as a share of their way (ours). A point
+/// far from the hinge is seen better than the centre, half of whose error comes from the edge at the hinge. The centre is taken
+/// where the size hardly varies, once the front was seen more than a few times. One point at a time, so that a track that goes on
+/// need not wait.
 class ReferencePointSearch {
  public:
   explicit ReferencePointSearch(const ArticulationConfig& config) : config_(config) {}

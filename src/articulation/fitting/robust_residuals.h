@@ -6,8 +6,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Turns residuals r with scale s, and their derivatives, into r' whose square is the negative log-likelihood of Student's t in
-/// d dimensions: |r'|^2 = (nu + d) ln(1 + |r|^2 / (nu s^2)). `dimensions` is d where rows are dependent.
+/// Turns residuals r with scale s, and their derivatives, into r'. The square of r' is the negative log-likelihood of Student's t
+/// in d dimensions: |r'|^2 = (nu + d) ln(1 + |r|^2 / (nu s^2)). `dimensions` is d where rows are dependent.
 template <class Rows>
 void makeRobust(double scale, double nu, int dimensions, Rows rows) {
   const double square = rows.col(0).squaredNorm() / (scale * scale);

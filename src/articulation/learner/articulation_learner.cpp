@@ -27,7 +27,7 @@ struct ArticulationLearner::State {
   };
   using Entries = std::map<std::uint32_t, Entry>;
 
-  Entries::iterator enter(std::uint32_t id, const ArticulationConfig& config, Entries* entries);
+  Entries::iterator enter(std::uint32_t id, const ArticulationConfig& config, Entries* live);
   void keep(const LearnedModel& model);
 
   Entries entries;
@@ -45,7 +45,7 @@ void ArticulationLearner::State::Entry::update(const Track& track) {
   height = track.height;
 }
 
-/// Moves what is known of the front to `entries`.
+/// Moves what is known of the front from `entries` or `absent` to `live`.
 auto ArticulationLearner::State::enter(std::uint32_t id, const ArticulationConfig& config, Entries* live) -> Entries::iterator {
   auto node = entries.extract(id);
   if (!node.empty()) return live->insert(std::move(node)).position;

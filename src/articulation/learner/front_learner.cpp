@@ -57,7 +57,7 @@ void FrontLearner::startAnew() {
 }
 
 void FrontLearner::chooseReference(const Track& track) {
-  // The choice changes what q means, so it is only looked at again when twice as much is known; a few poses may err in it.
+  // The choice changes what q means, so it is only looked at again when twice as much is known. A few poses may err in it.
   const bool due = observations_.size() < WorkSchedule::kShortTrack || observations_.size() >= 2 * reference_chosen_at_;
   if (!reference_search_ && !due) return;
   if (!reference_search_) reference_search_.emplace(config_);
@@ -147,7 +147,7 @@ void FrontLearner::learnAnew(const Track& track) {
   learn(track);
 }
 
-/// True once for each time that poses contradict the joint and are no single false detections: the comparison that it came
+/// True once for each time that poses contradict the joint and are no single false detections. The comparison that the joint came
 /// from may be out of date.
 bool FrontLearner::noteDoubt() {
   constexpr double kSerious = 0.3;  // two of the five places that it takes at least (ours)

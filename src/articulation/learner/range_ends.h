@@ -10,8 +10,8 @@ struct RangeEnds {
   bool min = false, max = false;
 };
 
-/// An end was seen if the front came to rest there, or turned round there more than once (ours): a hand that stops
-/// somewhere in between hardly does so twice at the same place. All else was merely reached. `stamps` [s] belong to `q`.
+/// An end was seen if the front came to rest there, or turned round there more than once (ours). A hand that stops somewhere in
+/// between hardly does so twice at the same place. All else was merely reached. `stamps` [s] belong to `q`.
 RangeEnds seenEnds(const std::vector<double>& q, const std::vector<double>& stamps, double q_min, double q_max);
 
 }  // namespace cabinet_articulation::core

@@ -63,9 +63,9 @@ double observedAlongPath(const ArticulationModel& model, const PoseSequence& tra
   return step.norm() > 0 ? std::min(1.0, observed / step.norm()) : 1;
 }
 
-/// What the freedom of q costs each pose beyond its noise along the path, which is `spread` wide: the logarithm of the noise's
-/// density over that of q, as the other poses show it. Eq. (6) takes q as uniform; then a front that stands open for longer
-/// than it took to open would rather not have moved.
+/// What the freedom of q costs each pose beyond its noise along the path, which is `spread` wide. It is the logarithm of the
+/// noise's density over that of q, as the other poses show it. Eq. (6) takes q as uniform; then a front that stands open for
+/// longer than it took to open would rather not have moved.
 std::vector<double> costsOfPlaces(const ModelResiduals& residuals, double spread) {
   const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(residuals.path / spread), 1.0, 1000.0));
   const double range = residuals.q_max - residuals.q_min;

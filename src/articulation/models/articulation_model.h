@@ -65,7 +65,7 @@ class ArticulationModel {
   virtual double largestAdvantage() const { return std::numeric_limits<double>::infinity(); }
 
   /// Estimates the parameters from a track of finite poses, in the order of their stamps. False if the track is too short for
-  /// this model; the model is then unchanged. With a limited budget the track goes on from the one of the last call: the fit
+  /// this model; the model is then unchanged. With a limited budget the track goes on from the one of the last call. The fit then
   /// starts from the last one, and may leave work to the next.
   virtual bool fit(const PoseSequence& track, const WorkBudget& budget = WorkBudget::unlimited()) = 0;
 
@@ -107,9 +107,8 @@ class ArticulationModel {
   /// [m] Way of a point of the front from q_min to q_max; `point` as seen from the observed one, in the front's frame.
   double pathLength(double q_min, double q_max, const Eigen::Vector3d& point) const;
 
-  /// log p(D | M), Eqs. (6)-(10), for independent Gaussian noise: positions and orientations with their own sigmas, q
-  /// uniform over the observed path, or as it was seen to be where that is more probable. The orientation's sigma counts
-  /// `caution` times.
+  /// log p(D | M), Eqs. (6)-(10), for independent Gaussian noise. Positions and orientations have their own sigmas. q is uniform
+  /// over the observed path, or as it was seen to be where that is more probable. The orientation's sigma counts `caution` times.
   double logLikelihood(const PoseSequence& track, const ModelResiduals& residuals, double caution = 1) const;
 
  protected:
@@ -128,8 +127,8 @@ constexpr double kMetresPerRadian = 0.03;
 /// Of the given type, a front of 0.4 by 0.6 m that is closed: for examples of joints.
 LearnedModel closedExample(JointType type);
 
-/// ArticulationModel.covariance of a pose whose coordinates have these variances [m^2, rad^2], for a point of the front that
-/// is `lever` away from the observed one: the orientation's error moves it, too.
+/// ArticulationModel.covariance of a pose whose coordinates have these variances [m^2, rad^2]. It is that of a point of the front
+/// which is `lever` away from the observed one: the orientation's error moves it, too.
 Matrix6d pointCovariance(double position_variance, double orientation_variance, const Eigen::Vector3d& lever);
 
 /// Appends x, y, z.

@@ -10,7 +10,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 /// [m] Distance of a front's observed point from its hinge beyond which doors become rare, and the standard deviation of its
-/// logarithm there: the doors of cabinets are up to 0.6 m wide, those of appliances 0.75 m, of rooms 0.9 m (ours).
+/// logarithm there. The doors of cabinets are up to 0.6 m wide, those of appliances 0.75 m, those of rooms 0.9 m (ours).
 constexpr double kTypicalRadius = 0.4, kRadiusSpread = 0.4;
 
 }  // namespace

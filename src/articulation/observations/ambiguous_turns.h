@@ -9,9 +9,9 @@
 namespace cabinet_articulation::core {
 
 /**
- * Undoes the turns of a tracker that takes a square for another of its descriptions (ours). A marker or rectangle may be
- * described with a quarter turn about its normal, or from the back, which are eight; where poses are given relative to a marker,
- * that one may have made a quarter turn, which turns the pose about the frame's z. A pose is given the description that is near
+ * Undoes the turns of a tracker that takes a square for another of its descriptions (ours). A marker or rectangle has eight
+ * descriptions: by quarter turns about its normal, from the front or from the back. Where poses are given relative to a marker,
+ * that marker may have made a quarter turn. It turns the pose about the frame's z. A pose is given the description that is near
  * the poses before, where its own is not. No front turns by an eighth of a turn about its normal from one pose to the next.
  */
 class AmbiguousTurns {

@@ -13,8 +13,8 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// Poses at rest that say as much as poses on the way; of more, each says less than the one before, so that no
-/// rest, however long, outweighs a motion (ours).
+/// Poses at rest that say as much as poses on the way (ours). Of more, each says less than the one before, so that no rest,
+/// however long, outweighs a motion.
 constexpr double kShortRest = 100;
 
 bool isRotation(const Eigen::Matrix3d& R) {

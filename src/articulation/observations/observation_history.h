@@ -45,9 +45,9 @@ class ObservationHistory {
   /// [m] Mean deviation of the measured width or height, whichever varies more.
   double sizeDeviation() const;
 
-  /// The track of a reference point, at most `count` poses, evenly spaced but for long rests, of which there are fewer; the first
-  /// and the last among them. With another pose they stay the same but for the last, until their spacing doubles. Sizes are
-  /// those measured with each pose (ours: the mean size is worse where it is the far edge that is seen well).
+  /// The track of a reference point: at most `count` poses, evenly spaced, the first and the last among them. Of long rests there
+  /// are fewer. With another pose they stay the same but for the last, until their spacing doubles. Sizes are those measured with
+  /// each pose (ours: the mean size is worse where it is the far edge that is seen well).
   PoseSequence evenlySpaced(ReferencePoint point, std::size_t count) const;
 
   /// The same in runs of poses that follow one another at once. Runs are spread evenly over the time and the front's way; the
@@ -57,8 +57,8 @@ class ObservationHistory {
   /// The poses after `stamp`.
   PoseSequence since(ReferencePoint point, double stamp) const;
 
-  /// The point itself and, where there are orientations, the front's corners as seen from it: of a rectangle of this size,
-  /// or of a marker whose turns count as much as a sigma of its place.
+  /// The point itself and, where there are orientations, the front's corners as seen from it. They are those of a rectangle of
+  /// this size, or of a marker whose turns count as much as a sigma of its place.
   std::vector<Eigen::Vector3d> outline(ReferencePoint point, double width, double height) const;
 
  private:

@@ -17,8 +17,8 @@ struct PoseSequence {
   std::vector<double> stamps;  ///< [s] ascending
   std::vector<Eigen::Isometry3d> poses;
   bool has_orientation = true;  ///< false: positions only (logs of three columns)
-  /// How much of a deviation counts, per pose: symmetric matrices in the track's frame with eigenvalues from 0 (that
-  /// direction was not observed) to 1, for orientations also more (better observed than sigma_orientation says). Empty:
+  /// How much of a deviation counts, per pose: symmetric matrices in the track's frame. Eigenvalues are from 0 (that direction
+  /// was not observed) to 1. Of orientations that are better observed than sigma_orientation says, they are larger. Empty:
   /// everything was observed. Ignored without orientation.
   std::vector<Eigen::Matrix3d> position_weights;
   std::vector<Eigen::Matrix3d> orientation_weights;

@@ -66,8 +66,8 @@ Arc Arc::recentered(double s) const {
   Arc arc = *this;
   arc.middle = point(s);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(curvature * s, axis()).toRotationMatrix();
-  // A path that is recentered with every new pose must not gather rounding: turning about an axis that is not quite a unit
-  // vector makes it grow.
+  // A path that is recentered with every new pose must not gather rounding. Turning about an axis that is not quite a unit vector
+  // makes it grow.
   arc.frame = arcFrame(turn * frame.col(0), turn * frame.col(1));
   arc.orientation = Eigen::Quaterniond(turn * orientation).normalized();
   return arc;

@@ -7,10 +7,9 @@
 
 namespace cabinet_articulation::core {
 
-/// The path of a front on a joint with one degree of freedom: an arc of a circle, or a line where `curvature` is 0, with
-/// the front turning along. Described from its middle by its curvature (ours), because the usual centre and radius run
-/// to infinity where an arc is nearly straight: here a line is an ordinary point and prismatic and rotational joints are
-/// one family.
+/// The path of a front on a joint with one degree of freedom, with the front turning along. It is an arc of a circle, or a line
+/// where `curvature` is 0. It is described from its middle by its curvature (ours): the usual centre and radius run to infinity
+/// where an arc is nearly straight. So a line is an ordinary arc, and prismatic and rotational joints are one family.
 struct Arc {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();           ///< [m] the point at s = 0
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();        ///< columns: tangent, direction to the centre, axis
@@ -36,8 +35,8 @@ struct Arc {
   Arc shifted(const Eigen::Vector3d& offset) const;
 };
 
-/// Arc length of the mean of the points: on a circle in the mean direction as seen from its centre, so that the cut of an
-/// arc that is recentered there lies opposite to them.
+/// [m] Arc length of the mean of the points: on a circle in the mean direction as seen from its centre. So the cut of an arc that
+/// is recentered there lies opposite to them.
 double meanArcLength(const Arc& arc, const std::vector<Eigen::Vector3d>& points);
 
 /// Rotation by the rotation vector v.

@@ -7,15 +7,15 @@
 
 namespace cabinet_articulation::core {
 
-/// What is known about a hinge before its front was seen to turn: it is at an edge of the front and in its plane (ours; what
-/// sees the front turn but little does not tell where its axis is).
+/// What is known about a hinge before its front was seen to turn (ours): it is at an edge of the front, in its plane. Poses of a
+/// front that turns but little do not tell where its axis is.
 struct HingePrior {
   double sigma = 0;                                     ///< [m] standard deviation of either distance; 0: nothing is known
   Eigen::Vector3d center = Eigen::Vector3d::Zero();     ///< [m] of the front, in its own frame as seen from the reference point
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();  ///< [m] half of the front's width and height
 
-  /// How far the axis of a circle is off the front's plane, and within it off the edge that it is nearest to (in the direction
-  /// across the axis; less, the more upright the axis stands on the front), in standard deviations.
+  /// How far the axis of a circle is off the front's plane, and within the plane off its nearest edge, in standard deviations.
+  /// The latter is in the direction across the axis, and less, the more upright the axis stands on the front.
   Eigen::Vector2d residuals(const Arc& arc) const;
 
   /// Their derivatives by ArcProblem's parameters.

@@ -16,8 +16,8 @@ struct ArcPlace {
   double stretch = 0;  ///< [m^2] (theta - sin theta) / curvature^2: the same along the tangent, at fixed s
 };
 
-/// Where an orientation says better than a position how far an arc has turned: less than so many times the ratio of their noise
-/// [m/rad] from its axis (ours).
+/// Closer to an arc's axis than so many ratios of position noise to orientation noise [m/rad], orientations say better how far it
+/// has turned (ours).
 constexpr double kReachOfOrientations = 2.5;
 
 /// The nearest place; `length`, `theta` and `stretch` are left out.
