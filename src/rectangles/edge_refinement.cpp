@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "rectangles/crease.h"
+#include "rectangles/depth_edge.h"
 #include "rectangles/edge_step.h"
 #include "rectangles/side_face.h"
 
@@ -41,6 +42,8 @@ struct EdgeShift {
 /// What the whole of an edge and its halves say.
 using Borders = std::array<std::optional<Border>, 3>;
 
+bool hasImages(const DepthFrame& frame) { return !frame.left.empty() && !frame.right.empty(); }
+
 /// An edge by the whole, and a turn by the halves.
 EdgeShift shiftTo(const Borders& borders, const ImageEdge& image, double length) {
   const auto& [whole, first, second] = borders;
@@ -59,13 +62,20 @@ EdgeShift shiftTo(const Borders& borders, const ImageEdge& image, double length)
   return shift;
 }
 
-Borders findBorders(const EdgeProfile& profile, double face_slope, const RectanglesConfig& config) {
+Borders findBorders(const EdgeProfile& profile, const SideFace& face, const RectanglesConfig& config) {
   const auto find = [&](const EdgeProfile::Residuals& residuals) -> std::optional<Border> {
-    const EdgeStep step = findStep(residuals, face_slope);
+    const EdgeStep step = findStep(residuals, face);
     if (step.contrast <= config.edge_contrast || step.inside >= std::log(1 - config.edge_agreement)) return std::nullopt;
     return Border{step.offset, step.face};
   };
   return {find(profile.whole()), find(profile.half(0)), find(profile.half(1))};
+}
+
+Borders findDepthBorders(const DepthEdge& edge) {
+  const auto border = [](const std::optional<DepthEdge::Place>& place) {
+    return place ? std::optional<Border>(Border{place->offset, place->face}) : std::nullopt;
+  };
+  return {border(edge.whole()), border(edge.half(0)), border(edge.half(1))};
 }
 
 Borders findCreases(const EdgeProfile& on_plane, const EdgeProfile& on_neighbour, const Neighbour& neighbour) {
@@ -119,11 +129,15 @@ EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const Surr
                   const PlaneRectangle& rectangle, Edge edge, const RectanglesConfig& config) {
   const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
   if (!image) return {};
+  const SideFace face = sideFace(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge);
+  if (!hasImages(surroundings.frame)) {
+    const DepthEdge depth_edge(surroundings.frame, region, *image, face);
+    return shiftTo(findDepthBorders(depth_edge), *image, rectangle.side(1 - edgeAxis(edge)));
+  }
   const std::optional<EdgeShift> crease = measureCrease(chart, region, surroundings, rectangle, edge);
   if (crease && crease->border) return *crease;
   const EdgeProfile profile(surroundings.frame, region, *image);
-  const double face_slope = sideFaceSlope(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge);
-  const EdgeShift shift = shiftTo(findBorders(profile, face_slope, config), *image, rectangle.side(1 - edgeAxis(edge)));
+  const EdgeShift shift = shiftTo(findBorders(profile, face, config), *image, rectangle.side(1 - edgeAxis(edge)));
   return shift.border || !crease ? shift : *crease;
 }
 
@@ -133,13 +147,12 @@ RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config) {
   RefinedRectangle result;
   result.rectangle = rectangle;
-  if (surroundings.frame.left.empty() || surroundings.frame.right.empty()) return result;
   for (int pass = 0; pass < kPasses; ++pass) {
     const PlaneRectangle start = result.rectangle;
     double turn = 0, weight = 1 / (kMaskTurnSigma * kMaskTurnSigma), moved = 0;
     for (const Edge edge : kEdges) {
       const EdgeShift shift = measure(chart, region, surroundings, start, edge, config);
-      result.confirmed[edge] = shift.border.has_value();
+      result.confirmed[edge] = hasImages(surroundings.frame) && shift.border.has_value();
       result.hidden[edge] = shift.hidden;
       result.rectangle.moveEdge(edge, shift.distance);
       moved = std::max(moved, std::abs(shift.distance));

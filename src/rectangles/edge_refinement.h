@@ -25,7 +25,8 @@ struct Surroundings {
 
 /// Moves each edge to where the two images stop agreeing on the plane, and turns the rectangle to suit both halves of its
 /// edges (ours: block matching draws edges 1-5 mm too far out or in, and the sign depends on the scene). An edge without
-/// contrast stays where it is, or goes to where its plane meets its neighbour's. Without images nothing changes.
+/// contrast stays where it is, or goes to where its plane meets its neighbour's. Without images, depth says where each edge is
+/// (DepthEdge).
 RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config);
 

@@ -99,7 +99,7 @@ double leastLogResidual(const std::array<float, EdgeProfile::kOffsets>& residual
 
 }  // namespace
 
-EdgeStep findStep(const EdgeProfile::Residuals& residuals, double face_slope) {
+EdgeStep findStep(const EdgeProfile::Residuals& residuals, const SideFace& side_face) {
   Values on_plane;
   std::vector<float> inside;
   for (int k = 0; k < kStrips; ++k) {
@@ -117,7 +117,7 @@ EdgeStep findStep(const EdgeProfile::Residuals& residuals, double face_slope) {
   }
   const int border = splitLevels(evidence, residuals.weight);
   if (border == 0) return step;
-  const std::optional<int> face = sideFaceBegin(residuals, level, face_slope);
+  const std::optional<int> face = sideFaceBegin(residuals, level, side_face);
   step.face = face.has_value();
   step.offset = EdgeProfile::offset(face ? *face : placeOfEdge(on_plane, residuals, border));
   step.inside = mean(on_plane, residuals.weight, border - kBlur - kLevel, border - kBlur);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rectangles/edge_profile.h"
+#include "rectangles/side_face.h"
 
 namespace cabinet_articulation::core {
 
@@ -14,8 +15,8 @@ struct EdgeStep {
 };
 
 /// The innermost place from which on the strips no longer lie on the plane (ours). A strip has left it if the plane
-/// explains it worse than the strips inside, or if another depth explains it better. `face_slope`: see sideFaceSlope(); 0 if
-/// no side face can be seen at this edge.
-EdgeStep findStep(const EdgeProfile::Residuals& residuals, double face_slope = 0);
+/// explains it worse than the strips inside, or if another depth explains it better. `face`: that can be
+/// seen at this edge.
+EdgeStep findStep(const EdgeProfile::Residuals& residuals, const SideFace& face = {});
 
 }  // namespace cabinet_articulation::core

@@ -17,8 +17,13 @@ constexpr int kFirst = 4;                               ///< strips that are the
 constexpr int kLongest = 20;                            ///< strips (10 px) that a face is followed
 constexpr float kUnexplained = 1.5F;                    ///< log residual above the level that is as bad as any other
 constexpr float kElsewhere = 0.9F;                      ///< price of a strip that is neither front nor face
-constexpr float kEvidence = 0.4F;                       ///< sum of log residuals that the face must explain better
 constexpr float kSmallestResidual = 0.015F;             ///< what interpolation alone leaves unexplained
+
+/// Sum of log residuals by which a face must be better: the penalty of its two parameters in BIC is 5 nats, and a strip's 128
+/// pixels make 64 nats of one.
+constexpr float kEvidence = 0.1F;
+
+constexpr double kLeastShare = 0.5;  ///< of the face that must be seen: what lies behind blends with its end (ours)
 
 using Values = std::array<float, kStrips>;
 
@@ -47,22 +52,23 @@ Values costs(const EdgeProfile::Residuals& residuals, double level, double dispa
 
 }  // namespace
 
-double sideFaceSlope(const PlaneChart& chart, const StereoCamera& camera, const DisparityPlane& plane,
-                     const PlaneRectangle& rectangle, Edge edge) {
+SideFace sideFace(const PlaneChart& chart, const StereoCamera& camera, const DisparityPlane& plane,
+                  const PlaneRectangle& rectangle, Edge edge) {
   const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
-  if (!image) return 0;
+  if (!image) return {};
   const Eigen::Vector2d middle = rectangle.center + rectangle.outward(edge) * (rectangle.side(edgeAxis(edge)) / 2);
   const Eigen::Vector3d front = chart.pose() * Eigen::Vector3d(middle.x(), middle.y(), 0);
   const Eigen::Vector3d back = chart.pose() * Eigen::Vector3d(middle.x(), middle.y(), -kThickness);
   const Eigen::Vector2d pixel = camera.project(back);
   const double width = image->outward.dot(pixel - camera.project(front));
-  if (width < kMinWidth) return 0;
+  if (width < kMinWidth) return {};
   const double slope = (camera.disparity(back.z()) - plane.at(pixel.x(), pixel.y())) / width;
-  return slope > -kMaxSlope ? slope : 0;
+  return slope > -kMaxSlope && slope < 0 ? SideFace{slope, width} : SideFace{};
 }
 
-std::optional<int> sideFaceBegin(const EdgeProfile::Residuals& residuals, double level, double slope) {
-  if (slope >= 0) return std::nullopt;
+std::optional<int> sideFaceBegin(const EdgeProfile::Residuals& residuals, double level, const SideFace& face) {
+  if (face.slope >= 0) return std::nullopt;
+  const double shortest = kLeastShare * face.width / EdgeProfile::kStripWidth;
   const Values plane = costs(residuals, level, 0);
   Values before;  // of the strips before each
   float best_plane = 0, sum = 0;
@@ -76,12 +82,12 @@ std::optional<int> sideFaceBegin(const EdgeProfile::Residuals& residuals, double
   float best_face = best_plane - kEvidence;
   std::optional<int> best;
   for (int length = 0; length < kLongest; ++length) {
-    const double disparity = slope * (length + 0.5) * EdgeProfile::kStripWidth;
+    const double disparity = face.slope * (length + 0.5) * EdgeProfile::kStripWidth;
     if (disparity < -kReach) break;
-    const Values face = costs(residuals, level, disparity);
+    const Values on_face = costs(residuals, level, disparity);
     for (int begin = kFirst; begin + length < kStrips; ++begin) {
-      with_face[begin] += face[begin + length];
-      if (with_face[begin] >= best_face) continue;
+      with_face[begin] += on_face[begin + length];
+      if (length + 1 < shortest || with_face[begin] >= best_face) continue;
       best_face = with_face[begin];
       best = begin;
     }

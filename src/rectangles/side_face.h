@@ -12,13 +12,17 @@ namespace cabinet_articulation::core {
 /// straight back from it (ours). Its disparity leaves the front's plane so slowly that block matching carries the front
 /// 6-15 mm over it.
 
-/// [px/px] how fast, going outward from the edge, the disparity of such a face leaves that of `plane`; negative. 0 where the
-/// face is turned away from the camera or too narrow in the image to matter.
-double sideFaceSlope(const PlaneChart& chart, const StereoCamera& camera, const DisparityPlane& plane,
-                     const PlaneRectangle& rectangle, Edge edge);
+struct SideFace {
+  double slope = 0;  ///< [px/px] of its disparity beside that of the front's plane, outward from the edge; 0: none is seen
+  double width = 0;  ///< [px] of the face of a thin board
+};
 
-/// The strip at which a side face of this slope begins. Nothing if the plane alone explains the strips about as well.
+/// By geometry alone; none where the face is turned away from the camera or too narrow in the image to matter.
+SideFace sideFace(const PlaneChart& chart, const StereoCamera& camera, const DisparityPlane& plane,
+                  const PlaneRectangle& rectangle, Edge edge);
+
+/// The strip at which a side face begins. Nothing if the plane alone explains the strips about as well.
 /// `level`: the mean log residual of the plane inside.
-std::optional<int> sideFaceBegin(const EdgeProfile::Residuals& residuals, double level, double slope);
+std::optional<int> sideFaceBegin(const EdgeProfile::Residuals& residuals, double level, const SideFace& face);
 
 }  // namespace cabinet_articulation::core

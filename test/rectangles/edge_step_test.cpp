@@ -34,7 +34,7 @@ TEST(EdgeStepTest, HalfOfTheSignalPlacesAnEdgeBetweenStrips) {
 
 TEST(EdgeStepTest, FindsWhereASideFaceBegins) {
   for (const double slope : {-0.1, -0.2, -0.4}) {
-    const EdgeStep step = findStep(profileOf([slope](double x) { return x < -4 ? 0 : slope * (x + 4); }), slope);
+    const EdgeStep step = findStep(profileOf([slope](double x) { return x < -4 ? 0 : slope * (x + 4); }), {slope, 0});
     EXPECT_NEAR(step.offset, -4, 1) << slope;
     EXPECT_TRUE(step.face);
   }
@@ -42,7 +42,7 @@ TEST(EdgeStepTest, FindsWhereASideFaceBegins) {
 
 TEST(EdgeStepTest, PrefersTheSideFaceToTheStepBehindIt) {
   // The thickness of a door, then the room.
-  const EdgeStep step = findStep(profileOf([](double x) { return x < -2 ? 0 : x < 3 ? -0.25 * (x + 2) : kNone; }), -0.25);
+  const EdgeStep step = findStep(profileOf([](double x) { return x < -2 ? 0 : x < 3 ? -0.25 * (x + 2) : kNone; }), {-0.25, 0});
   EXPECT_NEAR(step.offset, -2, 1);
   EXPECT_TRUE(step.face);
 }
@@ -50,7 +50,7 @@ TEST(EdgeStepTest, PrefersTheSideFaceToTheStepBehindIt) {
 TEST(EdgeStepTest, SeesNoSideFaceWhereThePlaneGoesOn) {
   const auto front = profileOf([](double x) { return x < 3 ? 0 : kNone; });
   for (const double slope : {-0.1, -0.4, -0.9}) {
-    const EdgeStep step = findStep(front, slope);
+    const EdgeStep step = findStep(front, {slope, 0});
     EXPECT_FALSE(step.face) << slope;
     EXPECT_NEAR(step.offset, 3, 0.5) << slope;
   }

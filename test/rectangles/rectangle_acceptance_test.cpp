@@ -48,7 +48,7 @@ TEST(RectangleAcceptanceTest, ARectangleMustFillItsRegion) {
   bad = good;
   bad.rectangle.height = 0.05;
   EXPECT_FALSE(fillsRegion(bad, filled, config));
-  bad.rectangle.height = 1.1;
+  bad.rectangle.height = 2.5;
   EXPECT_FALSE(fillsRegion(bad, filled, config));
 }
 

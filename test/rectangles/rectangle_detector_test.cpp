@@ -215,6 +215,7 @@ TEST_F(RectangleDetectorTest, RejectsWhatIsNoRectangle) {
   disc.mask = cv::Mat1b(region.mask.size(), std::uint8_t{kFree});
   cv::ellipse(disc.mask, {318, 243}, {120, 120}, 0, 0, 270, cv::Scalar(kInPlane), cv::FILLED);
   EXPECT_TRUE(detect(finishRegion(disc)).empty());
+  config_.max_side = 1.2;
   EXPECT_TRUE(
       detect(finishRegion(frontRegion(exampleFront({0, 0, 1.3}, 0.4, 0.04, 0, 0, 0), frame_.camera))).empty());       // too thin
   EXPECT_TRUE(detect(finishRegion(frontRegion(exampleFront({0, 0, 3}, 1.3, 0.9, 0, 0, 0), frame_.camera))).empty());  // too long

@@ -12,7 +12,7 @@ class SideFaceTest : public testing::Test {
  protected:
   double slope(const Rectangle& front, Edge edge) const {
     const PlaneChart chart = *PlaneChart::at(front.plane(), camera_, camera_.project(front.center()));
-    return sideFaceSlope(chart, camera_, *toDisparityPlane(front.plane(), camera_), chart.fromSpace(front), edge);
+    return sideFace(chart, camera_, *toDisparityPlane(front.plane(), camera_), chart.fromSpace(front), edge).slope;
   }
 
   const StereoCamera camera_ = exampleCamera();
@@ -46,7 +46,7 @@ TEST_F(SideFaceTest, SurvivesARectangleBehindTheCamera) {
   PlaneRectangle behind = chart.fromSpace(front);
   behind.width = 10;
   for (const Edge edge : kEdges)
-    EXPECT_EQ(sideFaceSlope(chart, camera_, *toDisparityPlane(front.plane(), camera_), behind, edge), 0);
+    EXPECT_EQ(sideFace(chart, camera_, *toDisparityPlane(front.plane(), camera_), behind, edge).slope, 0);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct RectanglesConfig {
   double min_observed_edges = 2;
   double min_observed_across = 0.4;
   double min_side = 0.06;
-  double max_side = 1.0;
+  double max_side = 2.4;
   // Tracks
   bool use_tracks = true;
   double track_gain = 0.6;
@@ -70,7 +70,7 @@ struct RectanglesConfig {
     visit("refine_planes", self.refine_planes,
           "refine the plane of a small rectangle on its own pixels (ours: far fronts); needs the images");
     visit("refine_edges", self.refine_edges,
-          "move each edge to where left and right image stop agreeing on the plane; needs the images");
+          "move each edge to where left and right image stop agreeing on the plane or, without images, to where depth leaves it");
     visit("edge_contrast", self.edge_contrast, Range{0, 5}, "",
           "an edge moves only if the log of the images' disagreement on the plane rises by this much across it (ours)");
     visit("edge_agreement", self.edge_agreement, Range{-1, 1}, "",
@@ -86,7 +86,8 @@ struct RectanglesConfig {
     visit("min_observed_across", self.min_observed_across, Range{0, 1}, "",
           "observed share of the better one of two opposite edges, for both pairs; not asked where a track is (ours)");
     visit("min_side", self.min_side, Range{0.001, 10}, "m", "shortest side of a rectangle (original release: 0.05)");
-    visit("max_side", self.max_side, Range{0.01, 10}, "m", "longest side of a rectangle (original release: 1.5)");
+    visit("max_side", self.max_side, Range{0.01, 10}, "m",
+          "longest side of a rectangle: doors of larders and wardrobes (original release: 1.5)");
     visit("use_tracks", self.use_tracks, "live tracks propose their fronts (ours); false: each frame is seen on its own");
     visit("track_gain", self.track_gain, Range{0, 1}, "",
           "a fit with a track's size is used where its gain is at least this share of the free fit's (ours)");

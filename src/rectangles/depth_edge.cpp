@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rectangles/depth_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rectangles/image_spans.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kMargin = 0.04;        ///< share of the edge left out at either end, where the neighbouring edges begin
+constexpr double kMaxDepth = 0.6;       ///< share of the rectangle's depth that may be looked at from one edge
+constexpr double kEnoughPixels = 128;   ///< of a strip
+constexpr int kNearEdge = 6;            ///< [px] inside the edge that side faces and the sensor's window may reach (ours)
+constexpr double kLeastSigma = 0.02;    ///< [px] of disparities that were rounded
+constexpr double kOutlier = 3;          ///< standard deviations beyond which a pixel shows something else
+constexpr double kMostlySurface = 0.5;  ///< share of the strips inside that a surface fills
+constexpr double kEnded = 0.25;         ///< share of a full strip below which the surface has ended
+constexpr double kLongestFace = 10;     ///< [px] that a face is followed, as in side_face.cpp
+constexpr double kStep = 0.25;          ///< [px] between the face's begins that are tried
+constexpr int kRounds = 3;              ///< of finding the face's pixels by its begin, and its begin by them
+
+}  // namespace
+
+DepthEdge::DepthEdge(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge, const SideFace& face)
+    : face_(face) {
+  addPixels(frame, region, edge);
+  measureNoise();
+}
+
+void DepthEdge::addPixels(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge) {
+  const Eigen::Vector2d along = edge.b - edge.a, middle = (edge.a + edge.b) / 2;
+  const Eigen::Vector2d from = edge.a + kMargin * along, to = edge.b - kMargin * along;
+  const double inside = std::min<double>(kInside, kMaxDepth * edge.depth);
+  const ImageQuad band{from - inside * edge.outward, to - inside * edge.outward, to + kOutside * edge.outward,
+                       from + kOutside * edge.outward};
+  // Long edges have more pixels than they need: leave out rows or columns, whichever the edge crosses.
+  const bool upright = std::abs(along.y()) > std::abs(along.x());
+  const double longest = std::max({frame.disparity.cols, frame.disparity.rows, 1});
+  const int stride = static_cast<int>(std::clamp(along.norm() / kEnoughPixels, 1.0, longest));
+  pixels_.reserve(static_cast<std::size_t>(2 * kStrips * kEnoughPixels));
+  forEachSpan(band, frame.disparity.cols, frame.disparity.rows, upright ? stride : 1, [&](int v, int u_begin, int u_end) {
+    for (int u = u_begin; u < u_end; u += upright ? 1 : stride) {
+      const Eigen::Vector2d place = Eigen::Vector2d(u, v) - middle;
+      const double across = edge.outward.dot(place) + kInside;
+      const auto strip = static_cast<int>(std::floor(across));
+      if (strip < 0 || strip >= kStrips) continue;
+      off_middle_ += across - strip - 0.5;
+      const std::uint8_t label = region.mask(v, u);
+      const float disparity = frame.disparity(v, u);
+      const auto residual = isValidDisparity(disparity) ? static_cast<float>(disparity - region.disparity_plane.at(u, v))
+                                                        : std::numeric_limits<float>::quiet_NaN();
+      pixels_.push_back({static_cast<std::int8_t>(strip), static_cast<std::int8_t>(along.dot(place) < 0 ? 0 : 1),
+                         label == kInPlane, label == kOccluded || label == kOtherPlane, residual});
+    }
+  });
+  off_middle_ /= std::max(1.0, static_cast<double>(pixels_.size()));
+}
+
+void DepthEdge::measureNoise() {
+  int count = 0;
+  double sum = 0, squares = 0;
+  for (const Pixel& pixel : pixels_) {
+    if (!pixel.in_plane || pixel.strip >= kInside - kNearEdge || std::isnan(pixel.residual)) continue;
+    ++count;
+    sum += pixel.residual;
+    squares += pixel.residual * pixel.residual;
+  }
+  if (count == 0) return;
+  mean_ = sum / count;
+  sigma_ = std::sqrt(std::max(squares / count - mean_ * mean_, kLeastSigma * kLeastSigma));
+}
+
+DepthEdge::Strips DepthEdge::strips(Halves halves, double face_begin) const {
+  Strips strips{};
+  for (const Pixel& pixel : pixels_) {
+    if (pixel.half < halves.first || pixel.half > halves.last) continue;
+    Strip& strip = strips[pixel.strip];
+    ++(pixel.hidden ? strip.hidden : strip.seen);
+    const bool is_hole = std::isnan(pixel.residual);
+    const double expected = mean_ + face_.slope * std::max(0.0, placeOf(pixel.strip) - face_begin);
+    const bool is_on_surface = is_hole ? pixel.in_plane : std::abs(pixel.residual - expected) <= kOutlier * sigma_;
+    if (pixel.hidden || !is_on_surface) continue;
+    ++strip.surface;
+    if (is_hole) continue;
+    ++strip.measured;
+    strip.residuals += pixel.residual - mean_;
+  }
+  return strips;
+}
+
+/// [px] A ragged edge lies where as much of the surface is missing inside as there is of it outside.
+std::optional<double> DepthEdge::endOf(const Strips& strips) {
+  const auto share = [&strips](int k) { return static_cast<double>(strips[k].surface) / std::max(1, strips[k].seen); };
+  double full = 0;
+  int inside = 0;
+  for (int k = 0; k < kInside - kNearEdge; ++k) {
+    full += share(k);
+    inside += strips[k].seen > 0;
+  }
+  if (inside == 0 || full < kMostlySurface * inside) return std::nullopt;
+  full /= inside;
+  double end = -kNearEdge;
+  for (int k = kInside - kNearEdge; k < kStrips; ++k) {
+    if (strips[k].seen <= strips[k].hidden) return std::nullopt;
+    end += std::min(share(k) / full, 1.0);
+    if (share(k) < kEnded * full) return end;
+  }
+  return std::nullopt;
+}
+
+/// [px] Where the strips' mean residuals begin to follow the face's slope, by least squares.
+double DepthEdge::faceBegin(const Strips& strips, double end) const {
+  double best = end, least = std::numeric_limits<double>::infinity();
+  for (double begin = end; begin >= end - kLongestFace; begin -= kStep) {
+    double cost = 0;
+    for (int k = 0; k < kStrips && placeOf(k) <= end; ++k) {
+      const double expected = face_.slope * std::max(0.0, placeOf(k) - begin);
+      const double mean = strips[k].residuals / std::max(1, strips[k].measured);
+      cost += strips[k].measured * (mean - expected) * (mean - expected);
+    }
+    if (cost >= least) continue;
+    least = cost;
+    best = begin;
+  }
+  return best;
+}
+
+std::optional<DepthEdge::Place> DepthEdge::place(Halves halves) const {
+  if (sigma_ == 0) return std::nullopt;
+  double begin = std::numeric_limits<double>::infinity();  // of the face
+  for (int round = 1;; ++round) {
+    const Strips found = strips(halves, begin);
+    const std::optional<double> end = endOf(found);
+    if (!end) return std::nullopt;
+    if (face_.slope >= 0) return Place{*end + off_middle_, false};
+    begin = faceBegin(found, *end);
+    if (round == kRounds) return Place{begin + off_middle_, begin < *end};
+  }
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rectangles/depth_edge.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "front_scene.h"
+#include "rectangles/side_face.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kThickness = 0.018;  // [m] of a board
+constexpr double kNoise = 0.15;       // [px] of disparities
+
+/// A board before a wall, as a depth camera sees it.
+class DepthEdgeTest : public testing::Test {
+ protected:
+  explicit DepthEdgeTest(double yaw = 0.8) : front_(exampleFront({0, 0, 1.8}, 0.4, 0.5, yaw, 0, 0)) {
+    render();
+    region_ = frontRegion(front_, camera_);
+    label();
+  }
+
+  /// [m] from the true edge to where depth says it is, from a rectangle that is `wrong` [m] too large.
+  std::optional<double> error(Edge edge, double wrong) const {
+    const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
+    PlaneRectangle rectangle = chart.fromSpace(front_);
+    rectangle.moveEdge(edge, wrong);
+    const ImageEdge image = *imageEdge(chart, rectangle, edge);
+    const SideFace face = sideFace(chart, camera_, region_.disparity_plane, rectangle, edge);
+    const auto place = DepthEdge(frame_, region_, image, face).whole();
+    if (!place) return std::nullopt;
+    return wrong + place->offset * image.metres_per_pixel;
+  }
+
+  /// What lies within the rectangle's frame between `back` and 0 [m] along the normal.
+  void render() {
+    frame_.camera = camera_;
+    frame_.disparity = cv::Mat1f(camera_.height, camera_.width, static_cast<float>(camera_.disparity(kWall)));
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, kNoise);
+    const Eigen::Isometry3d to_front = front_.pose.inverse();
+    for (int v = 0; v < camera_.height; ++v)
+      for (int u = 0; u < camera_.width; ++u) {
+        double z = kWall;
+        const Eigen::Vector3d ray = camera_.ray(u, v);
+        const Eigen::Vector3d direction = to_front.linear() * ray, start = to_front.translation();
+        const double face = -start.z() / direction.z();
+        if (isInside(start + face * direction, 1e-9)) z = std::min(z, face * ray.z());
+        for (const double side : {-front_.width / 2, front_.width / 2}) {
+          const double t = (side - start.x()) / direction.x();
+          const Eigen::Vector3d p = start + t * direction;
+          if (t > 0 && p.z() < 0 && p.z() > -kThickness && std::abs(p.y()) < front_.height / 2) z = std::min(z, t * ray.z());
+        }
+        frame_.disparity(v, u) = static_cast<float>(camera_.disparity(z) + noise(random));
+      }
+  }
+
+  bool isInside(const Eigen::Vector3d& p, double off) const {
+    return std::abs(p.z()) <= off && std::abs(p.x()) < front_.width / 2 && std::abs(p.y()) < front_.height / 2;
+  }
+
+  /// As the planes stage does: what lies within 1 px of the plane belongs to it.
+  void label() {
+    for (int v = 0; v < camera_.height; ++v)
+      for (int u = 0; u < camera_.width; ++u) {
+        const double off = frame_.disparity(v, u) - region_.disparity_plane.at(u, v);
+        region_.mask(v, u) = off > 1 ? kOccluded : off < -1 ? kFree : kInPlane;
+      }
+  }
+
+  static constexpr double kWall = 3;  // [m]
+  const StereoCamera camera_ = exampleCamera();
+  const Rectangle front_;
+  DepthFrame frame_;
+  PlaneRegion region_;
+};
+
+class DepthEdgeHeadOnTest : public DepthEdgeTest {
+ protected:
+  DepthEdgeHeadOnTest() : DepthEdgeTest(0) {}
+};
+
+TEST_F(DepthEdgeHeadOnTest, FindsEdgesWithoutAFace) {
+  for (const Edge edge : kEdges)
+    for (const double wrong : {-0.012, 0.0, 0.012}) {
+      const auto off = error(edge, wrong);
+      ASSERT_TRUE(off) << "edge " << edge << ", wrong by " << wrong;
+      EXPECT_LT(std::abs(*off), 0.0015) << "edge " << edge << ", wrong by " << wrong;
+    }
+}
+
+TEST_F(DepthEdgeTest, DoesNotTakeTheSideOfABoardForTheFront) {
+  int faces = 0;
+  for (const Edge edge : {kEdgeMinusX, kEdgePlusX}) {
+    const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
+    const bool has_face = sideFace(chart, camera_, region_.disparity_plane, chart.fromSpace(front_), edge).slope < 0;
+    faces += has_face;
+    for (const double wrong : {0.0, 0.02}) {
+      const auto off = error(edge, wrong);
+      ASSERT_TRUE(off) << "edge " << edge << ", wrong by " << wrong;
+      EXPECT_LT(std::abs(*off), 0.006) << "edge " << edge << ", wrong by " << wrong;  // a pixel is 4 mm there
+    }
+  }
+  EXPECT_EQ(faces, 1);
+}
+
+TEST_F(DepthEdgeHeadOnTest, SaysNothingOfAnEdgeThatSomethingHides) {
+  const Eigen::Vector2d edge = camera_.project(front_.pose * Eigen::Vector3d(front_.width / 2, 0, 0));
+  const Eigen::Vector2d other = camera_.project(front_.pose * Eigen::Vector3d(-front_.width / 2, 0, 0));
+  const int begin = static_cast<int>(std::max(edge.x(), other.x()));
+  cv::Rect hand(begin, 0, 30, camera_.height);
+  frame_.disparity(hand).setTo(static_cast<float>(camera_.disparity(1)));
+  label();
+  const Edge hidden = edge.x() > other.x() ? kEdgePlusX : kEdgeMinusX;
+  EXPECT_FALSE(error(hidden, 0));
+}
+
+TEST_F(DepthEdgeHeadOnTest, SaysNothingOfASurfaceThatGoesOn) {
+  frame_.disparity.setTo(static_cast<float>(camera_.disparity(front_.center().z())));
+  label();
+  for (const Edge edge : kEdges) EXPECT_FALSE(error(edge, 0));
+}
+
+TEST_F(DepthEdgeHeadOnTest, SaysNothingWithoutDepth) {
+  frame_.disparity.setTo(0);
+  for (const Edge edge : kEdges) EXPECT_FALSE(error(edge, 0));
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
