@@ -19,6 +19,7 @@ struct Candidate {
   double memory = 0;          ///< correlation with the next of a sequence whose mean is as uncertain as that of the residuals
   double outlier_share = 0;   ///< poses farther than 3 standard deviations
   double mean_deviation = 0;  ///< of the poses, in standard deviations
+  double front_log_odds = 0;  ///< [nats] that a front moves so rather than something that only seems to move
   bool plausible = true;      ///< false: no joint of this front can be there, so that nothing moves that looks like it
 };
 

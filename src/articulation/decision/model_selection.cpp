@@ -116,7 +116,7 @@ double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles
                            const ArticulationConfig& config) {
   if (!best) return 0;
   if (!roles.still) return 1;
-  const double odds = advantage(*best, *roles.still, track), moved = logistic(odds);
+  const double odds = advantage(*best, *roles.still, track) + best->front_log_odds, moved = logistic(odds);
   if (!best->plausible) return std::min(moved, 0.5);
   // Poses that neither rest nor any path explains have moved all the same.
   const bool unexplained = track.orientation_weights.empty() && !explains(*roles.still, config) && !explains(*best, config);

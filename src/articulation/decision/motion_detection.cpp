@@ -134,13 +134,37 @@ bool lacksAnEdge(const Track& track) {
   return false;
 }
 
-/// Two observations of very different sizes rather are of two things.
-bool isOfTwoThings(const Track& track) {
-  constexpr double kAlike = 0.7;
-  if (track.observations.size() != 2) return false;
-  const auto differs = [](double a, double b) { return std::min(a, b) < kAlike * std::max(a, b); };
-  const Rectangle &first = track.observations[0].measured, &second = track.observations[1].measured;
-  return differs(first.width, second.width) || differs(first.height, second.height);
+/// [m^2] Variances of width and height: those of their edges add up, and the centre is the mean of two edges.
+Eigen::Vector2d sizeVariance(const TrackedObservation& observation) {
+  const Eigen::Matrix3d R = observation.measured.pose.linear();
+  const Eigen::Matrix3d of_center = R.transpose() * observation.measured_covariance.topLeftCorner<3, 3>() * R;
+  return 4 * of_center.diagonal().head<2>();
+}
+
+/// [nats] How much better a few observations are explained by one front than by a front and things that look like it: those have
+/// other sizes.
+double oddsOfOneThing(const Track& track) {
+  constexpr double kStray = 0.05;        // share of the observations of clutter that take in something else (ours)
+  constexpr double kUnlike = 0.3;        // by which sizes of things differ that a tracker takes for one another (ours)
+  constexpr double kLeastSigma = 0.002;  // [m] of a length, as the tracker's edge_sigma
+  const TrackedObservation& first = track.observations.front();
+  const auto sizeOf = [](const TrackedObservation& observation) {
+    const Rectangle& seen = observation.measured.width > 0 ? observation.measured : observation.rectangle;
+    return Eigen::Vector2d(seen.width, seen.height);
+  };
+  const Eigen::Vector2d size = sizeOf(first);
+  double odds = 0;
+  for (std::size_t i = 1; i < track.observations.size(); ++i) {
+    const TrackedObservation& other = track.observations[i];
+    const Eigen::Vector2d off = sizeOf(other) - size;
+    const Eigen::Vector2d variance = sizeVariance(first) + sizeVariance(other);
+    odds -= std::log(kStray);
+    for (const int axis : {0, 1}) {
+      const double sigma = std::max(kLeastSigma, std::sqrt(variance[axis]));
+      odds += std::log(2 * kUnlike * size[axis] / (std::sqrt(2 * M_PI) * sigma)) - 0.5 * std::pow(off[axis] / sigma, 2);
+    }
+  }
+  return odds;
 }
 
 bool pauses(const PoseSequence& poses) {
@@ -166,10 +190,10 @@ Matrix6d meanCovariance(const Track& track, const ArticulationConfig& config) {
 
 MotionDetector::MotionDetector(const Track& track, const PoseSequence& poses, const ArticulationConfig& config)
     : config_(config), few_(poses.size() < kFewPoses), covariance_(meanCovariance(track, config)) {
-  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) ||
-             (few_ && (pauses(poses) || isSmall(track) || isOfTwoThings(track))) ||
+  refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) || (few_ && (pauses(poses) || isSmall(track))) ||
              (isNarrow(track) && (poses.size() < kNarrowPoses || lacksAnEdge(track)));
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
+  if (few_ && !track.observations.empty()) one_thing_ = oddsOfOneThing(track);
 }
 
 bool MotionDetector::wasSeen(const ModelResiduals& residuals, const PoseSequence& poses) const {
@@ -199,7 +223,7 @@ double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelR
     if (!standsOut(way.norm(), k, residuals, poses)) continue;
     farthest = std::max(farthest, significance(way, last.linear() * (poses.outline[k] - center)));
   }
-  return farthest > 0 ? 0.5 * farthest * farthest - std::log(config_.rest_odds) : kNever;
+  return farthest > 0 ? std::min(0.5 * farthest * farthest, one_thing_) - std::log(config_.rest_odds) : kNever;
 }
 
 /// Mahalanobis distance between two observations of a point that is `lever` away from the front's centre.

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "articulation/decision/front_prior.h"
 #include "articulation/decision/hinge_plausibility.h"
 #include "articulation/decision/motion_detection.h"
 #include "articulation/models/model_registry.h"
@@ -199,8 +200,10 @@ void FrontLearner::learn(const Track& track) {
   compareMotions(asked);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
-  for (Candidate& candidate : candidates_)
+  for (Candidate& candidate : candidates_) {
+    candidate.front_log_odds = is_rectangle ? frontLogOdds(candidate, front_, config_.sigma_edge) : 0;
     candidate.plausible = !is_rectangle || !isImplausibleHinge(candidate, front_, T_reference_center, config_.sigma_edge);
+  }
   const Candidate* moving = bestMoving(candidates_);
   if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
   selection_ = selectModel(&candidates_, spaced_, asked, least_odds, config_);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "articulation/decision/candidate.h"
+#include "cabinet_articulation/tracking/track.h"
+
+namespace cabinet_articulation::core {
+
+/// [nats] How much more often fronts of this size move in this way than things that an erring camera pose seems to move (ours).
+/// Those go anywhere, and many are small. Drawers come out along their normal, sliding doors go along one of their sides.
+/// `sigma_edge` [m]: of the way across the plane. Of joints that turn only the size counts.
+double frontLogOdds(const Candidate& candidate, const Track& front, double sigma_edge);
+
+}  // namespace cabinet_articulation::core
