@@ -19,4 +19,7 @@ std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& 
                                  const std::array<bool, 4>& confirmed = {},
                                  const std::array<std::optional<double>, 4>& hidden = {});
 
+/// Edges that mostly lie outside the image, or so near its border that nothing could be seen beyond them.
+std::array<bool, 4> cutEdges(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Size& image);
+
 }  // namespace cabinet_articulation::core

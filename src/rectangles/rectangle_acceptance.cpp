@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "rectangles/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
+constexpr double kWellSeen = 0.6;       ///< share of each edge in view where the image cuts others (ours)
 constexpr double kSameOverlap = 0.5;    ///< IoU; two fits of one surface share more
 constexpr double kSameDistance = 0.03;  ///< [m] along the normal
 constexpr double kSameNormal = 0.94;    ///< cos 20 deg; planes of small fronts tilt by several degrees
@@ -31,10 +33,18 @@ bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, 
          rectangle.recall > config.min_recall && counts.in_plane >= config.min_visible * counts.total();
 }
 
-bool bounded(const std::array<float, 4>& edge_support, const RectanglesConfig& config) {
+bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>& cut, const RectanglesConfig& config) {
+  double sum = 0, least = 1;
+  int in_view = 0;
+  for (const Edge edge : kEdges) {
+    if (cut[edge]) continue;
+    sum += edge_support[edge];
+    least = std::min<double>(least, edge_support[edge]);
+    ++in_view;
+  }
+  if (in_view < 4 && in_view > 0 && least >= kWellSeen) return true;
   const float across_x = std::max(edge_support[kEdgeMinusX], edge_support[kEdgePlusX]);
   const float across_y = std::max(edge_support[kEdgeMinusY], edge_support[kEdgePlusY]);
-  const float sum = std::accumulate(edge_support.begin(), edge_support.end(), 0.F);
   return sum >= config.min_observed_edges && std::min(across_x, across_y) >= config.min_observed_across;
 }
 

@@ -168,7 +168,8 @@ std::optional<SupportedRectangle> RectangleDetector::refine(const Surroundings& 
   DetectedRectangle& detection = result->detection;
   detection.edge_support = observedShares(frame, *candidate, candidate->rectangle, refined);
   result->tracked = tracked(detection.rectangle, expected);
-  if (!bounded(detection.edge_support, config_) && !result->tracked) return std::nullopt;
+  const std::array<bool, 4> cut = cutEdges(candidate->chart, candidate->rectangle, candidate->region.mask.size());
+  if (!bounded(detection.edge_support, cut, config_) && !result->tracked) return std::nullopt;
   std::array<EdgeObservation, 4> edges;
   for (const Edge edge : kEdges) edges[edge] = {detection.edge_support[edge], refined.confirmed[edge]};
   detection.covariance = rectangleCovariance(candidate->chart, candidate->rectangle, edges, candidate->region, frame);

@@ -69,8 +69,14 @@ TEST(MotionDetector, NoMotionInFewPosesOrWithoutVisibleEdges) {
   EXPECT_FALSE(learn(syntheticTrack(front)).moved);
   Track track = syntheticTrack(noisy(0.003));
   EXPECT_TRUE(learn(track).moved);
-  for (TrackedObservation& observation : track.observations) observation.edge_support = {0.9F, 0, 0.5F, 0.4F};
+  for (TrackedObservation& observation : track.observations) observation.edge_support = {0.4F, 0, 0.2F, 0.2F};
   EXPECT_FALSE(learn(track).moved);
+}
+
+TEST(MotionDetector, ATallDoorThatTheImageCutsTurnsClearly) {
+  Track track = syntheticTrack(noisy(0.003));
+  for (TrackedObservation& observation : track.observations) observation.edge_support = {0.8F, 0.9F, 0, 0};
+  EXPECT_TRUE(learn(track).moved);
 }
 
 TEST(MotionDetector, SlowDriftOfACentimetreIsNoMotion) {

@@ -90,5 +90,16 @@ TEST_F(EdgeSupportTest, TheImageBorderIsNoEdge) {
   EXPECT_NEAR(share[kEdgeMinusY], 0.64, 0.05);
 }
 
+TEST_F(EdgeSupportTest, TheImageCutsWhatItDoesNotShow) {
+  const auto cutOf = [this](const Rectangle& front) {
+    const PlaneChart chart = *PlaneChart::at(front.plane(), camera_, {318, 243});
+    return cutEdges(chart, chart.fromSpace(front), {camera_.width, camera_.height});
+  };
+  EXPECT_EQ(cutOf(front_), (std::array<bool, 4>{}));
+  EXPECT_EQ(cutOf(exampleFront({0, 0, 1.3}, 0.4, 1.2, 0, 0, 0)), (std::array<bool, 4>{false, false, true, true}));
+  const auto cut = cutOf(exampleFront({0.4, 0, 1.3}, 0.5, 0.3, 0, 0, 0));
+  EXPECT_TRUE(cut[kEdgePlusX] && !cut[kEdgeMinusX] && !cut[kEdgeMinusY] && !cut[kEdgePlusY]);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

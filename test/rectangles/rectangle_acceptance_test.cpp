@@ -54,11 +54,20 @@ TEST(RectangleAcceptanceTest, ARectangleMustFillItsRegion) {
 
 TEST(RectangleAcceptanceTest, TwoEdgesInSumAndOneAcrossEachSideMustBeSeen) {
   const RectanglesConfig config;
-  EXPECT_TRUE(bounded({1, 1, 1, 1}, config));
-  EXPECT_TRUE(bounded({1, 0, 1, 1}, config));  // cut by the image's border
-  EXPECT_TRUE(bounded({0.6F, 0.6F, 0.5F, 0.5F}, config));
-  EXPECT_FALSE(bounded({1, 1, 0, 0.3F}, config));  // a strip between two edges: part of something longer
-  EXPECT_FALSE(bounded({0.4F, 0.5F, 0.5F, 0.4F}, config));
+  const std::array<bool, 4> none{};
+  EXPECT_TRUE(bounded({1, 1, 1, 1}, none, config));
+  EXPECT_TRUE(bounded({1, 0, 1, 1}, none, config));
+  EXPECT_TRUE(bounded({0.6F, 0.6F, 0.5F, 0.5F}, none, config));
+  EXPECT_FALSE(bounded({1, 1, 0, 0.3F}, none, config));  // a strip between two edges: part of something longer
+  EXPECT_FALSE(bounded({0.4F, 0.5F, 0.5F, 0.4F}, none, config));
+}
+
+TEST(RectangleAcceptanceTest, OfAFrontThatTheImageCutsTheOtherEdgesMustBeSeen) {
+  const RectanglesConfig config;
+  EXPECT_TRUE(bounded({0.8F, 0.9F, 0, 0}, {false, false, true, true}, config));
+  EXPECT_TRUE(bounded({0.9F, 0, 0, 0}, {false, true, true, true}, config));
+  EXPECT_FALSE(bounded({0.8F, 0.3F, 0, 0}, {false, false, true, true}, config));
+  EXPECT_FALSE(bounded({0, 0, 0, 0}, {true, true, true, true}, config));  // a wall
 }
 
 TEST(RectangleAcceptanceTest, SameSurfaceComparesPlaneAndPlace) {

@@ -84,8 +84,8 @@ struct ArticulationConfig {
           "odds beforehand, from a detector that sees all that stands in a room, that a front stays at rest while it is watched "
           "(ours: one of a thousand moves)");
     visit("edge_support_min", self.edge_support_min, Range{0, 1}, "",
-          "a front moves only if the median observation saw this share of its edges (measured: fronts 0.57 and more, clutter "
-          "0.45)");
+          "share of its edges that the median observation of a front sees; with less, a motion must stand out more "
+          "(measured: fronts 0.57 and more, clutter 0.45)");
     visit("observations_min", self.observations_min, Range{2, 1000}, "",
           "fewer poses than this do not show motion; two can where they say how certain they are (ours)");
     visit("outlier_share_max", self.outlier_share_max, Range{0.01, 1}, "",

@@ -196,15 +196,16 @@ MotionDetector::MotionDetector(const Track& track, const PoseSequence& poses, co
   if (few_ && !track.observations.empty()) one_thing_ = oddsOfOneThing(track);
 }
 
-bool MotionDetector::wasSeen(const ModelResiduals& residuals, const PoseSequence& poses) const {
-  return !refused_ && edgeSupport(residuals, poses) >= config_.edge_support_min && restlessness(residuals, poses) <= kRestless;
+bool MotionDetector::isSteady(const ModelResiduals& residuals, const PoseSequence& poses) const {
+  return !refused_ && restlessness(residuals, poses) <= kRestless;
 }
 
 bool MotionDetector::passes(const ArticulationModel& model, const ModelResiduals& residuals, const PoseSequence& poses) const {
-  if (!wasSeen(residuals, poses) || largestGap(residuals) > kLargestGap) return false;
+  if (!isSteady(residuals, poses) || largestGap(residuals) > kLargestGap) return false;
+  const double seen = clarity(edgeSupport(residuals, poses));
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const double path = model.pathLength(residuals.q_min, residuals.q_max, poses.outline[k]);
-    if (path >= config_.motion_min && standsOut(path, k, residuals, poses)) return true;
+    if (path >= config_.motion_min && standsOut(seen * path, k, residuals, poses)) return true;
   }
   return false;
 }
@@ -212,18 +213,25 @@ bool MotionDetector::passes(const ArticulationModel& model, const ModelResiduals
 double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelResiduals& residuals,
                                     const PoseSequence& poses) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
-  if (!few_ || covariance_.isZero(0) || !wasSeen(residuals, poses)) return kNever;
+  if (!few_ || covariance_.isZero(0) || !isSteady(residuals, poses)) return kNever;
   if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return kNever;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
   if (turnBetween(first, last) > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return kNever;
   double farthest = 0;
+  const double seen = clarity(edgeSupport(residuals, poses));
   const Eigen::Vector3d center = centerOf(poses.outline);
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
-    if (!standsOut(way.norm(), k, residuals, poses)) continue;
+    if (!standsOut(seen * way.norm(), k, residuals, poses)) continue;
     farthest = std::max(farthest, significance(way, last.linear() * (poses.outline[k] - center)));
   }
   return farthest > 0 ? std::min(0.5 * farthest * farthest, one_thing_) - std::log(config_.rest_odds) : kNever;
+}
+
+/// Factor of a path that counts where only so much of the edges was seen: clutter and arms end nowhere, and seem to move.
+double MotionDetector::clarity(double edge_support) const {
+  constexpr double kPower = 4;  // half the edges: a path must stand out 16 times as much (ours)
+  return std::pow(std::min(1.0, edge_support / config_.edge_support_min), kPower);
 }
 
 /// Mahalanobis distance between two observations of a point that is `lever` away from the front's centre.
@@ -234,7 +242,8 @@ double MotionDetector::significance(const Eigen::Vector3d& way, const Eigen::Vec
   return std::sqrt(way.dot(covariance.inverse() * way));
 }
 
-/// Is the path of a point of the outline much longer than its jitter and its distance from where the model says?
+/// Is the path of a point of the outline much longer than its jitter and its distance from where the model says? `path` is that
+/// of a front whose edges are seen.
 bool MotionDetector::standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const {
   return path >= config_.motion_to_jitter * jitter_[point] &&
          path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], outlierDistance(poses, config_));

@@ -14,10 +14,10 @@ namespace cabinet_articulation::core {
  * Whether a front moved (ours). Pieces of furniture that are hardly visible jitter by centimetres and tens of degrees while they
  * stand still. Some point of the front must have come farther than motion_min, and than motion_to_jitter times its jitter from
  * one frame to the next. It must also have come farther than motion_to_noise times its distance from where the model says. It
- * must have been seen in between, and must not go back and forth along the way from one frame to the next. There is no motion
- * while the median observation has less than edge_support_min of its edges on every third of the way. Nor is there with fewer
- * observations than observations_min. Few observations must follow one another at once, and be of nothing small. More are needed
- * of something narrow, as hands and arms are.
+ * must have been seen in between, and must not go back and forth along the way from one frame to the next. It must do
+ * so more clearly where the median observation has less than edge_support_min of its edges on every third of the way. There is
+ * no motion in fewer observations than observations_min. Few observations must follow one another at once, and be of nothing
+ * small. More are needed of something narrow, as hands and arms are.
  */
 class MotionDetector {
  public:
@@ -47,7 +47,8 @@ class MotionDetector {
   const std::vector<double>& jitter() const { return jitter_; }
 
  private:
-  bool wasSeen(const ModelResiduals& residuals, const PoseSequence& poses) const;
+  bool isSteady(const ModelResiduals& residuals, const PoseSequence& poses) const;
+  double clarity(double edge_support) const;
   double significance(const Eigen::Vector3d& way, const Eigen::Vector3d& lever) const;
   bool standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const;
 
