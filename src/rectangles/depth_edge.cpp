@@ -10,17 +10,14 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kMargin = 0.04;        ///< share of the edge left out at either end, where the neighbouring edges begin
-constexpr double kMaxDepth = 0.6;       ///< share of the rectangle's depth that may be looked at from one edge
-constexpr double kEnoughPixels = 128;   ///< of a strip
 constexpr int kNearEdge = 6;            ///< [px] inside the edge that side faces and the sensor's window may reach (ours)
-constexpr double kLeastSigma = 0.02;    ///< [px] of disparities that were rounded
+constexpr double kLeastSigma = 0.02;    ///< [px] of disparities that were rounded (ours)
 constexpr double kOutlier = 3;          ///< standard deviations beyond which a pixel shows something else
-constexpr double kMostlySurface = 0.5;  ///< share of the strips inside that a surface fills
-constexpr double kEnded = 0.25;         ///< share of a full strip below which the surface has ended
-constexpr double kLongestFace = 10;     ///< [px] that a face is followed, as in side_face.cpp
-constexpr double kStep = 0.25;          ///< [px] between the face's begins that are tried
-constexpr int kRounds = 3;              ///< of finding the face's pixels by its begin, and its begin by them
+constexpr double kMostlySurface = 0.5;  ///< share of the strips inside that a surface fills (ours)
+constexpr double kEnded = 0.25;         ///< share of a full strip below which the surface has ended (ours)
+constexpr double kSharedPixels = 9;     ///< along an edge that share an error: the window of depth cameras
+constexpr double kStep = 0.25;          ///< [px] between the face's begins that are tried (ours)
+constexpr int kRounds = 3;              ///< of finding the face's pixels by its begin, and its begin by them (ours)
 
 }  // namespace
 
@@ -32,30 +29,24 @@ DepthEdge::DepthEdge(const DepthFrame& frame, const PlaneRegion& region, const I
 
 void DepthEdge::addPixels(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge) {
   const Eigen::Vector2d along = edge.b - edge.a, middle = (edge.a + edge.b) / 2;
-  const Eigen::Vector2d from = edge.a + kMargin * along, to = edge.b - kMargin * along;
-  const double inside = std::min<double>(kInside, kMaxDepth * edge.depth);
-  const ImageQuad band{from - inside * edge.outward, to - inside * edge.outward, to + kOutside * edge.outward,
-                       from + kOutside * edge.outward};
-  // Long edges have more pixels than they need: leave out rows or columns, whichever the edge crosses.
-  const bool upright = std::abs(along.y()) > std::abs(along.x());
-  const double longest = std::max({frame.disparity.cols, frame.disparity.rows, 1});
-  const int stride = static_cast<int>(std::clamp(along.norm() / kEnoughPixels, 1.0, longest));
-  pixels_.reserve(static_cast<std::size_t>(2 * kStrips * kEnoughPixels));
-  forEachSpan(band, frame.disparity.cols, frame.disparity.rows, upright ? stride : 1, [&](int v, int u_begin, int u_end) {
-    for (int u = u_begin; u < u_end; u += upright ? 1 : stride) {
-      const Eigen::Vector2d place = Eigen::Vector2d(u, v) - middle;
-      const double across = edge.outward.dot(place) + kInside;
-      const auto strip = static_cast<int>(std::floor(across));
-      if (strip < 0 || strip >= kStrips) continue;
-      off_middle_ += across - strip - 0.5;
-      const std::uint8_t label = region.mask(v, u);
-      const float disparity = frame.disparity(v, u);
-      const auto residual = isValidDisparity(disparity) ? static_cast<float>(disparity - region.disparity_plane.at(u, v))
-                                                        : std::numeric_limits<float>::quiet_NaN();
-      pixels_.push_back({static_cast<std::int8_t>(strip), static_cast<std::int8_t>(along.dot(place) < 0 ? 0 : 1),
-                         label == kInPlane, label == kOccluded || label == kOtherPlane, residual});
-    }
-  });
+  const EdgeBand band = bandAbout(edge, kInside, kOutside, std::max(frame.disparity.cols, frame.disparity.rows));
+  pixels_.reserve(static_cast<std::size_t>(area(band.quad) / band.stride) + kStrips);
+  forEachSpan(
+      band.quad, frame.disparity.cols, frame.disparity.rows, band.upright ? band.stride : 1, [&](int v, int u_begin, int u_end) {
+        for (int u = u_begin; u < u_end; u += band.upright ? 1 : band.stride) {
+          const Eigen::Vector2d place = Eigen::Vector2d(u, v) - middle;
+          const double across = edge.outward.dot(place) + kInside;
+          const auto strip = static_cast<int>(std::floor(across));
+          if (strip < 0 || strip >= kStrips) continue;
+          off_middle_ += across - strip - 0.5;
+          const std::uint8_t label = region.mask(v, u);
+          const float disparity = frame.disparity(v, u);
+          const auto residual = isValidDisparity(disparity) ? static_cast<float>(disparity - region.disparity_plane.at(u, v))
+                                                            : std::numeric_limits<float>::quiet_NaN();
+          pixels_.push_back({static_cast<std::int8_t>(strip), static_cast<std::int8_t>(along.dot(place) < 0 ? 0 : 1),
+                             label == kInPlane, label == kOccluded || label == kOtherPlane, residual});
+        }
+      });
   off_middle_ /= std::max(1.0, static_cast<double>(pixels_.size()));
 }
 
@@ -102,6 +93,7 @@ std::optional<double> DepthEdge::endOf(const Strips& strips) {
   }
   if (inside == 0 || full < kMostlySurface * inside) return std::nullopt;
   full /= inside;
+  if (share(kInside - kNearEdge) < kEnded * full) return std::nullopt;  // it ends farther inside than is looked at
   double end = -kNearEdge;
   for (int k = kInside - kNearEdge; k < kStrips; ++k) {
     if (strips[k].seen <= strips[k].hidden) return std::nullopt;
@@ -111,16 +103,21 @@ std::optional<double> DepthEdge::endOf(const Strips& strips) {
   return std::nullopt;
 }
 
-/// [px] Where the strips' mean residuals begin to follow the face's slope, by least squares.
+/// [px] Where the strips' mean residuals begin to follow the face's slope, by least squares; `end` if they do not.
 double DepthEdge::faceBegin(const Strips& strips, double end) const {
-  double best = end, least = std::numeric_limits<double>::infinity();
-  for (double begin = end; begin >= end - kLongestFace; begin -= kStep) {
+  const auto costOf = [&](double begin) {
     double cost = 0;
     for (int k = 0; k < kStrips && placeOf(k) <= end; ++k) {
       const double expected = face_.slope * std::max(0.0, placeOf(k) - begin);
       const double mean = strips[k].residuals / std::max(1, strips[k].measured);
       cost += strips[k].measured * (mean - expected) * (mean - expected);
     }
+    return cost;
+  };
+  const double evidence = kOutlier * kOutlier * kSharedPixels * sigma_ * sigma_;
+  double best = end, least = costOf(end) - evidence;
+  for (double begin = end - kStep; begin >= end - kLongestFace; begin -= kStep) {
+    const double cost = costOf(begin);
     if (cost >= least) continue;
     least = cost;
     best = begin;

@@ -14,7 +14,7 @@
 namespace cabinet_articulation::core {
 
 /// Where a surface ends in a depth image, from strips of pixels parallel to one edge of a rectangle (ours). A mask follows a
-/// board over its side face for as long as the depth's noise allows, 1 to 5 cm at 2 m; the mean of a strip has a tenth of that
+/// board over its side face for as long as the depth's noise allows: 1 to 5 cm at 2 m. The mean of a strip has a tenth of that
 /// noise.
 class DepthEdge {
  public:

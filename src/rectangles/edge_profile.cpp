@@ -11,12 +11,9 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kMargin = 0.04;               ///< share of the edge left out at either end, where the neighbouring edges begin
-constexpr double kMaxDepth = 0.6;              ///< share of the rectangle's depth that may be looked at from one edge
 constexpr float kMinPixels = 6;                ///< of a strip
 constexpr float kNoiseVariance = 4;            ///< [grey levels^2] keeps noise in textureless strips from correlating
 constexpr int kReach = EdgeProfile::kOnPlane;  ///< [px] largest disparity offset
-constexpr double kEnoughPixels = 128;          ///< of a strip
 
 /// As by OpenCV's v_load_expand_q, which reads an int wherever the pixels are, also where none may be.
 cv::v_float32x4 load(const std::uint8_t* pixels) {
@@ -66,24 +63,16 @@ void EdgeProfile::addRow(const Row& row, int u_begin, int u_end, Moments* halves
 EdgeProfile::EdgeProfile(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge) {
   const Eigen::Vector2d along = edge.b - edge.a;
   const Eigen::Vector2d middle = (edge.a + edge.b) / 2;
-  const Eigen::Vector2d from = edge.a + kMargin * along;
-  const Eigen::Vector2d to = edge.b - kMargin * along;
-  const double inside = std::min(kInside, kMaxDepth * edge.depth);
-  const ImageQuad band{from - inside * edge.outward, to - inside * edge.outward, to + kOutside * edge.outward,
-                       from + kOutside * edge.outward};
-  // Long edges have more pixels than they need: leave out rows or columns, whichever the edge crosses.
-  const double longest = std::max({frame.left.cols, frame.left.rows, 1});
-  const int stride = static_cast<int>(std::clamp(along.norm() / kEnoughPixels, 1.0, longest));
-  const bool upright = std::abs(along.y()) > std::abs(along.x());
+  const EdgeBand band = bandAbout(edge, kInside, kOutside, std::max(frame.left.cols, frame.left.rows));
   const DisparityPlane& plane = region.disparity_plane;
   Row row;
-  row.u_step = upright ? 1 : stride;
+  row.u_step = band.upright ? 1 : band.stride;
   row.strip_step = static_cast<float>(edge.outward.x() / kStripWidth);
   row.along_step = static_cast<float>(along.x());
   row.right_step = static_cast<float>(1 - plane.a);
   row.last_column = static_cast<float>(frame.right.cols - Moments::kLanes - 1);
   Moments* halves[2] = {halves_[0].data(), halves_[1].data()};
-  forEachSpan(band, frame.left.cols, frame.left.rows, upright ? stride : 1, [&](int v, int u_begin, int u_end) {
+  forEachSpan(band.quad, frame.left.cols, frame.left.rows, band.upright ? band.stride : 1, [&](int v, int u_begin, int u_end) {
     row.left = frame.left[v];
     row.right = frame.right[v];
     row.labels = region.mask[v];

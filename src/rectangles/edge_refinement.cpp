@@ -152,7 +152,8 @@ RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region,
     double turn = 0, weight = 1 / (kMaskTurnSigma * kMaskTurnSigma), moved = 0;
     for (const Edge edge : kEdges) {
       const EdgeShift shift = measure(chart, region, surroundings, start, edge, config);
-      result.confirmed[edge] = hasImages(surroundings.frame) && shift.border.has_value();
+      result.placed[edge] = shift.border.has_value();
+      result.confirmed[edge] = hasImages(surroundings.frame) && result.placed[edge];
       result.hidden[edge] = shift.hidden;
       result.rectangle.moveEdge(edge, shift.distance);
       moved = std::max(moved, std::abs(shift.distance));

@@ -14,6 +14,7 @@ namespace cabinet_articulation::core {
 struct RefinedRectangle {
   PlaneRectangle rectangle;
   std::array<bool, 4> confirmed{{false, false, false, false}};  ///< edges that the images place, in the order of `Edge`
+  std::array<bool, 4> placed{{false, false, false, false}};     ///< the same, or by depth
   std::array<std::optional<double>, 4> hidden;  ///< [m] of edges that end at a crease: how far they may go on behind it
 };
 
@@ -25,7 +26,7 @@ struct Surroundings {
 
 /// Moves each edge to where the two images stop agreeing on the plane, and turns the rectangle to suit both halves of its
 /// edges (ours: block matching draws edges 1-5 mm too far out or in, and the sign depends on the scene). An edge without
-/// contrast stays where it is, or goes to where its plane meets its neighbour's. Without images, depth says where each edge is
+/// contrast stays where it is, or goes to where its plane meets its neighbour's. Without images, depth places the edges
 /// (DepthEdge).
 RefinedRectangle refineEdges(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
                              const PlaneRectangle& rectangle, const RectanglesConfig& config);

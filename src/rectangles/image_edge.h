@@ -21,6 +21,16 @@ struct ImageEdge {
   Eigen::Vector2d at(double share, double offset) const { return a + share * (b - a) + offset * outward; }
 };
 
+/// Pixels about an edge that are looked at.
+struct EdgeBand {
+  ImageQuad quad;
+  bool upright;  ///< the edge crosses rows rather than columns
+  int stride;    ///< of the rows or columns that it crosses: a long edge has more pixels than are needed
+};
+
+/// From `inside` to `outside` [px] of an edge, without its ends, in an image whose longer side has `longest` pixels.
+EdgeBand bandAbout(const ImageEdge& edge, double inside, double outside, int longest);
+
 /// Nothing for an edge that is behind the camera or shorter than a pixel.
 std::optional<ImageEdge> imageEdge(const PlaneChart& chart, const PlaneRectangle& rectangle, Edge edge);
 

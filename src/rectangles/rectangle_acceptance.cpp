@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "rectangles/image_edge.h"
 
@@ -34,18 +35,14 @@ bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, 
 }
 
 bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>& cut, const RectanglesConfig& config) {
-  double sum = 0, least = 1;
-  int in_view = 0;
-  for (const Edge edge : kEdges) {
-    if (cut[edge]) continue;
-    sum += edge_support[edge];
-    least = std::min<double>(least, edge_support[edge]);
-    ++in_view;
-  }
-  if (in_view < 4 && in_view > 0 && least >= kWellSeen) return true;
   const float across_x = std::max(edge_support[kEdgeMinusX], edge_support[kEdgePlusX]);
   const float across_y = std::max(edge_support[kEdgeMinusY], edge_support[kEdgePlusY]);
-  return sum >= config.min_observed_edges && std::min(across_x, across_y) >= config.min_observed_across;
+  const float sum = std::accumulate(edge_support.begin(), edge_support.end(), 0.F);
+  if (sum >= config.min_observed_edges && std::min(across_x, across_y) >= config.min_observed_across) return true;
+  const bool is_cut = std::count(cut.begin(), cut.end(), true) > 0;
+  const bool opposite = (!cut[kEdgeMinusX] && !cut[kEdgePlusX]) || (!cut[kEdgeMinusY] && !cut[kEdgePlusY]);
+  if (!is_cut || !opposite) return false;
+  return std::all_of(kEdges.begin(), kEdges.end(), [&](Edge edge) { return cut[edge] || edge_support[edge] >= kWellSeen; });
 }
 
 bool sameSurface(const Rectangle& a, const Rectangle& b) {

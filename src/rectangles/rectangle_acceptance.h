@@ -18,8 +18,8 @@ double recall(const LabelCounts& counts, int region_inliers);
 /// True if the size is a front's, the region fills the rectangle and the rectangle explains the region.
 bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, const RectanglesConfig& config);
 
-/// True if enough of the edges was observed to tell a front from a piece of a larger surface (ours). Edges that the image cuts
-/// are not asked for; at least one must be in view.
+/// True if enough of the edges was observed to tell a front from a piece of a larger surface (ours). Where the image cuts some,
+/// two opposite edges must be in view, and all in view well seen.
 bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>& cut, const RectanglesConfig& config);
 
 /// True if both show the same surface at the same place.

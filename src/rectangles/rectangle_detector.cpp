@@ -85,11 +85,11 @@ bool tracked(const Rectangle& rectangle, const std::vector<Rectangle>& expected)
   return std::any_of(expected.begin(), expected.end(), [&](const Rectangle& track) { return sameSurface(track, rectangle); });
 }
 
-/// The size of a track stays where the images do not place both edges: an edge that they place carries the other along.
+/// The size of a track stays where neither images nor depth place both edges: an edge that they place carries the other along.
 /// What something in front hides is no edge, however clear its border.
 PlaneRectangle keepSize(const PlaneRectangle& sized, const RefinedRectangle& refined, const std::array<float, 4>& shares) {
   PlaneRectangle result = refined.rectangle;
-  const auto placed = [&](Edge edge) { return refined.confirmed[edge] && shares[edge] > kHidden; };
+  const auto placed = [&](Edge edge) { return refined.placed[edge] && shares[edge] > kHidden; };
   for (const int axis : {0, 1}) {
     const Edge minus = axis == 0 ? kEdgeMinusX : kEdgeMinusY;
     const Edge plus = axis == 0 ? kEdgePlusX : kEdgePlusY;
@@ -155,7 +155,8 @@ std::vector<RectangleCandidate> RectangleDetector::search(const StereoCamera& ca
 std::optional<SupportedRectangle> RectangleDetector::refine(const Surroundings& surroundings,
                                                             const std::vector<Rectangle>& expected,
                                                             RectangleCandidate* candidate) {
-  RefinedRectangle refined{candidate->rectangle, {}, {}};
+  RefinedRectangle refined;
+  refined.rectangle = candidate->rectangle;
   const DepthFrame& frame = surroundings.frame;
   if (config_.refine_edges)
     refined = refineEdges(candidate->chart, candidate->region, surroundings, candidate->rectangle, config_);

@@ -12,15 +12,15 @@ constexpr int kStrips = EdgeProfile::kStrips;
 constexpr double kThickness = 0.015;  ///< [m] of a thin front
 constexpr double kMinWidth = 2;       ///< [px] of its side in the image that can be told from the front
 constexpr double kMaxSlope = 1;       ///< [px/px] beyond, a face is left within a strip or two, as any other edge
-constexpr double kReach = EdgeProfile::kOnPlane + 0.5;  ///< [px]
-constexpr int kFirst = 4;                               ///< strips that are the front's in any case
-constexpr int kLongest = 20;                            ///< strips (10 px) that a face is followed
-constexpr float kUnexplained = 1.5F;                    ///< log residual above the level that is as bad as any other
-constexpr float kElsewhere = 0.9F;                      ///< price of a strip that is neither front nor face
-constexpr float kSmallestResidual = 0.015F;             ///< what interpolation alone leaves unexplained
+constexpr double kReach = EdgeProfile::kOnPlane + 0.5;                               ///< [px]
+constexpr int kFirst = 4;                                                            ///< strips that are the front's in any case
+constexpr int kLongest = static_cast<int>(kLongestFace / EdgeProfile::kStripWidth);  ///< strips
+constexpr float kUnexplained = 1.5F;         ///< log residual above the level that is as bad as any other
+constexpr float kElsewhere = 0.9F;           ///< price of a strip that is neither front nor face
+constexpr float kSmallestResidual = 0.015F;  ///< what interpolation alone leaves unexplained
 
-/// Sum of log residuals by which a face must be better: the penalty of its two parameters in BIC is 5 nats, and a strip's 128
-/// pixels make 64 nats of one.
+/// Sum of log residuals by which a face must be better: the penalty of its two parameters in BIC. That is 5 nats, and a strip's
+/// 128 pixels make 64 nats of a log residual.
 constexpr float kEvidence = 0.1F;
 
 constexpr double kLeastShare = 0.5;  ///< of the face that must be seen: what lies behind blends with its end (ours)
@@ -68,7 +68,8 @@ SideFace sideFace(const PlaneChart& chart, const StereoCamera& camera, const Dis
 
 std::optional<int> sideFaceBegin(const EdgeProfile::Residuals& residuals, double level, const SideFace& face) {
   if (face.slope >= 0) return std::nullopt;
-  const double shortest = kLeastShare * face.width / EdgeProfile::kStripWidth;
+  const double in_reach = kReach / (-face.slope * EdgeProfile::kStripWidth);
+  const double shortest = std::min({kLeastShare * face.width / EdgeProfile::kStripWidth, in_reach - 1, double{kLongest}});
   const Values plane = costs(residuals, level, 0);
   Values before;  // of the strips before each
   float best_plane = 0, sum = 0;

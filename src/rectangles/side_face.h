@@ -12,6 +12,8 @@ namespace cabinet_articulation::core {
 /// straight back from it (ours). Its disparity leaves the front's plane so slowly that block matching carries the front
 /// 6-15 mm over it.
 
+constexpr double kLongestFace = 10;  ///< [px] that a face is followed (ours)
+
 struct SideFace {
   double slope = 0;  ///< [px/px] of its disparity beside that of the front's plane, outward from the edge; 0: none is seen
   double width = 0;  ///< [px] of the face of a thin board

@@ -88,7 +88,8 @@ TEST_F(DepthEdgeHeadOnTest, FindsEdgesWithoutAFace) {
     for (const double wrong : {-0.012, 0.0, 0.012}) {
       const auto off = error(edge, wrong);
       ASSERT_TRUE(off) << "edge " << edge << ", wrong by " << wrong;
-      EXPECT_LT(std::abs(*off), 0.0015) << "edge " << edge << ", wrong by " << wrong;
+      EXPECT_LT(std::abs(*off), 0.0015) <<  // half a pixel
+          "edge " << edge << ", wrong by " << wrong;
     }
 }
 
@@ -101,7 +102,7 @@ TEST_F(DepthEdgeTest, DoesNotTakeTheSideOfABoardForTheFront) {
     for (const double wrong : {0.0, 0.02}) {
       const auto off = error(edge, wrong);
       ASSERT_TRUE(off) << "edge " << edge << ", wrong by " << wrong;
-      EXPECT_LT(std::abs(*off), 0.006) << "edge " << edge << ", wrong by " << wrong;  // a pixel is 4 mm there
+      EXPECT_LT(std::abs(*off), 0.002) << "edge " << edge << ", wrong by " << wrong;  // half a pixel, and noise
     }
   }
   EXPECT_EQ(faces, 1);
@@ -122,6 +123,25 @@ TEST_F(DepthEdgeHeadOnTest, SaysNothingOfASurfaceThatGoesOn) {
   frame_.disparity.setTo(static_cast<float>(camera_.disparity(front_.center().z())));
   label();
   for (const Edge edge : kEdges) EXPECT_FALSE(error(edge, 0));
+}
+
+TEST_F(DepthEdgeHeadOnTest, SaysNothingOfAnEdgeFarInside) {
+  for (const Edge edge : kEdges) EXPECT_FALSE(error(edge, 0.03)) << "11 px";
+}
+
+TEST_F(DepthEdgeHeadOnTest, HalvesTellATurn) {
+  const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
+  PlaneRectangle rectangle = chart.fromSpace(front_);
+  rectangle.angle += 0.02;
+  for (const Edge edge : kEdges) {
+    const ImageEdge image = *imageEdge(chart, rectangle, edge);
+    const DepthEdge depth(frame_, region_, image, {});
+    const auto first = depth.half(0), second = depth.half(1);
+    ASSERT_TRUE(first && second) << edge;
+    // Half an edge's length lies between the middles of its halves.
+    const double length = (image.b - image.a).norm();
+    EXPECT_NEAR(std::abs(second->offset - first->offset), 0.02 * length / 2, 0.6) << edge;
+  }
 }
 
 TEST_F(DepthEdgeHeadOnTest, SaysNothingWithoutDepth) {

@@ -141,7 +141,7 @@ TEST_F(EdgeRefinementTest, AHandleBesideHalfAnEdgeDoesNotBendIt) {
   EXPECT_LT(cornerError(front_, inSpace(refined.rectangle)), 0.004);  // two pixels
 }
 
-TEST_F(EdgeRefinementTest, ChangesNothingWithoutImages) {
+TEST_F(EdgeRefinementTest, ChangesNothingWithoutImagesAndDepth) {
   frame_.camera = exampleCamera();
   const RefinedRectangle refined = refine(front_);
   for (const bool confirmed : refined.confirmed) EXPECT_FALSE(confirmed);

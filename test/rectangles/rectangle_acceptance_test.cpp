@@ -65,8 +65,12 @@ TEST(RectangleAcceptanceTest, TwoEdgesInSumAndOneAcrossEachSideMustBeSeen) {
 TEST(RectangleAcceptanceTest, OfAFrontThatTheImageCutsTheOtherEdgesMustBeSeen) {
   const RectanglesConfig config;
   EXPECT_TRUE(bounded({0.8F, 0.9F, 0, 0}, {false, false, true, true}, config));
-  EXPECT_TRUE(bounded({0.9F, 0, 0, 0}, {false, true, true, true}, config));
+  EXPECT_FALSE(bounded({0.8F, 0.9F, 0, 0}, {false, false, false, true}, config));
+  EXPECT_FALSE(bounded({0.9F, 0, 0, 0}, {false, true, true, true}, config));      // a floor or a wall with one end in view
+  EXPECT_FALSE(bounded({0.9F, 0, 0.9F, 0}, {false, true, false, true}, config));  // a corner of it
   EXPECT_FALSE(bounded({0.8F, 0.3F, 0, 0}, {false, false, true, true}, config));
+  EXPECT_TRUE(
+      bounded({1, 1, 0.4F, 0.3F}, {true, false, false, false}, config));  // what is near the border may be seen all the same
   EXPECT_FALSE(bounded({0, 0, 0, 0}, {true, true, true, true}, config));  // a wall
 }
 

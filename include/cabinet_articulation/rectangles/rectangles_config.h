@@ -80,11 +80,14 @@ struct RectanglesConfig {
     visit("min_recall", self.min_recall, Range{0, 1}, "", "Eq. (5): least share of the region inside the rectangle (paper: 0.7)");
     visit("min_visible", self.min_visible, Range{0, 1}, "",
           "least share of the rectangle's pixels that are in-plane (ours: costs below 1 accept what is mostly hidden)");
-    visit("min_observed_edges", self.min_observed_edges, Range{0, 4}, "",
-          "edges that must have been observed, in sum over their shares; not asked where a track is (ours: pieces of larger "
-          "surfaces fill their region as well as fronts do, but end nowhere)");
+    visit(
+        "min_observed_edges", self.min_observed_edges, Range{0, 4}, "",
+        "edges that must have been observed, in sum over their shares; not asked where a track is, nor of a front that the image "
+        "cuts if its other edges are well seen (ours: pieces of larger "
+        "surfaces fill their region as well as fronts do, but end nowhere)");
     visit("min_observed_across", self.min_observed_across, Range{0, 1}, "",
-          "observed share of the better one of two opposite edges, for both pairs; not asked where a track is (ours)");
+          "observed share of the better one of two opposite edges, for both pairs; not asked where min_observed_edges is not "
+          "(ours)");
     visit("min_side", self.min_side, Range{0.001, 10}, "m", "shortest side of a rectangle (original release: 0.05)");
     visit("max_side", self.max_side, Range{0.01, 10}, "m",
           "longest side of a rectangle: doors of larders and wardrobes (original release: 1.5)");

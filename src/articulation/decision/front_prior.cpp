@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/median.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -22,7 +26,7 @@ double sizeLogOdds(const Track& front) {
 double directionLogOdds(const Candidate& candidate, double sigma_edge) {
   const JointTraits& traits = candidate.model->traits();
   if (!traits.moves || !traits.is_parametric || traits.turns) return 0;
-  const double range = std::max(candidate.residuals.q_max - candidate.residuals.q_min, 1e-6);
+  const double range = std::max(candidate.residuals.q_max - candidate.residuals.q_min, 1e-6);  // m
   const double sigma = std::min(1.0, std::hypot(kSpread, sigma_edge / range));
   const Eigen::Vector3d direction = candidate.model->predict(0).linear().transpose() * candidate.model->geometry().axis;
   // Density on the half sphere beside that of any direction.
@@ -34,7 +38,49 @@ double directionLogOdds(const Candidate& candidate, double sigma_edge) {
   return std::log(kDrawers * about(direction.z()) + kSlidingDoors * sliding + 1 - kDrawers - kSlidingDoors);
 }
 
+struct MeasuredSize {
+  Eigen::Vector2d value, variance;  ///< [m, m^2]
+};
+
+/// The variances of a length's two edges add up, and the centre is their mean.
+MeasuredSize sizeOf(const TrackedObservation& observation) {
+  constexpr double kLeastSigma = 0.002;  // [m] of a length, as the tracker's edge_sigma
+  const Rectangle& seen = observation.measured.width > 0 ? observation.measured : observation.rectangle;
+  const Eigen::Matrix3d R = seen.pose.linear();
+  const Eigen::Matrix3d of_center = R.transpose() * observation.measured_covariance.topLeftCorner<3, 3>() * R;
+  return {{seen.width, seen.height}, (4 * of_center.diagonal().head<2>()).cwiseMax(kLeastSigma * kLeastSigma)};
+}
+
+/// [nats] For one observation beside the others.
+double oddsOfSameSize(const std::vector<MeasuredSize>& sizes, std::size_t i, int axis) {
+  constexpr double kUnlike = 0.3;  // by which sizes of things differ that a tracker takes for one another (ours)
+  std::vector<double> values, variances;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (k == i) continue;
+    values.push_back(sizes[k].value[axis]);
+    variances.push_back(sizes[k].variance[axis]);
+  }
+  const double size = median(values), variance = sizes[i].variance[axis] + median(variances);
+  if (!(size > 0)) return 0;
+  return std::log(2 * kUnlike * size / std::sqrt(2 * M_PI * variance)) -
+         0.5 * std::pow(sizes[i].value[axis] - size, 2) / variance;
+}
+
 }  // namespace
+
+double oddsOfOneFront(const Track& track, std::size_t count) {
+  constexpr double kStray = 0.05;  // share of the observations of clutter that take in something else (ours)
+  const auto& all = track.observations;
+  std::vector<MeasuredSize> sizes;
+  for (std::size_t i = all.size() - std::min(count, all.size()); i < all.size(); ++i) sizes.push_back(sizeOf(all[i]));
+  const bool unknown = std::all_of(sizes.begin(), sizes.end(), [](const MeasuredSize& size) { return size.value.isZero(0); });
+  if (unknown || sizes.size() < 2) return std::numeric_limits<double>::infinity();
+  // A motion may rest on the one observation that agrees least.
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    least = std::min(least, oddsOfSameSize(sizes, i, 0) + oddsOfSameSize(sizes, i, 1) - std::log(kStray));
+  return least * static_cast<double>(sizes.size() - 1);
+}
 
 double frontLogOdds(const Candidate& candidate, const Track& front, double sigma_edge) {
   return sizeLogOdds(front) + directionLogOdds(candidate, sigma_edge);

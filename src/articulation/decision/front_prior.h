@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
 #include "articulation/decision/candidate.h"
 #include "cabinet_articulation/tracking/track.h"
 
@@ -10,5 +12,9 @@ namespace cabinet_articulation::core {
 /// Those go anywhere, and many are small. Drawers come out along their normal, sliding doors go along one of their sides.
 /// `sigma_edge` [m]: of the way across the plane. Of joints that turn only the size counts.
 double frontLogOdds(const Candidate& candidate, const Track& front, double sigma_edge);
+
+/// [nats] How much better the newest `count` observations are explained by one front than by a front and things that look like
+/// it, by the sizes that were measured. Things have other sizes. Infinity where no size is known.
+double oddsOfOneFront(const Track& track, std::size_t count);
 
 }  // namespace cabinet_articulation::core

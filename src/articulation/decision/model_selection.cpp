@@ -121,7 +121,7 @@ double probabilityOfMotion(const std::vector<Candidate>& candidates, const Roles
   // Poses that neither rest nor any path explains have moved all the same.
   const bool unexplained = track.orientation_weights.empty() && !explains(*roles.still, config) && !explains(*best, config);
   if (!detector || unexplained) return std::max(moved, kEvident);
-  const double early = detector->earlyLogOdds(*best->model, best->residuals, track);
+  const double early = detector->earlyLogOdds(*best->model, best->residuals, track) + best->front_log_odds;
   if (early >= MotionDetector::kLogOdds && isSureOfJoint(candidates, *best)) return std::max(moved, logistic(early));
   return odds >= log_odds && detector->passes(*best->model, best->residuals, track) ? moved : std::min(moved, 0.5);
 }

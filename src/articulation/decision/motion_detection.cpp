@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "articulation/decision/front_prior.h"
 #include "articulation/observations/observation_covariance.h"
 #include "articulation/observations/pose_jitter.h"
 #include "geometry/cross_matrix.h"
@@ -134,39 +135,6 @@ bool lacksAnEdge(const Track& track) {
   return false;
 }
 
-/// [m^2] Variances of width and height: those of their edges add up, and the centre is the mean of two edges.
-Eigen::Vector2d sizeVariance(const TrackedObservation& observation) {
-  const Eigen::Matrix3d R = observation.measured.pose.linear();
-  const Eigen::Matrix3d of_center = R.transpose() * observation.measured_covariance.topLeftCorner<3, 3>() * R;
-  return 4 * of_center.diagonal().head<2>();
-}
-
-/// [nats] How much better a few observations are explained by one front than by a front and things that look like it: those have
-/// other sizes.
-double oddsOfOneThing(const Track& track) {
-  constexpr double kStray = 0.05;        // share of the observations of clutter that take in something else (ours)
-  constexpr double kUnlike = 0.3;        // by which sizes of things differ that a tracker takes for one another (ours)
-  constexpr double kLeastSigma = 0.002;  // [m] of a length, as the tracker's edge_sigma
-  const TrackedObservation& first = track.observations.front();
-  const auto sizeOf = [](const TrackedObservation& observation) {
-    const Rectangle& seen = observation.measured.width > 0 ? observation.measured : observation.rectangle;
-    return Eigen::Vector2d(seen.width, seen.height);
-  };
-  const Eigen::Vector2d size = sizeOf(first);
-  double odds = 0;
-  for (std::size_t i = 1; i < track.observations.size(); ++i) {
-    const TrackedObservation& other = track.observations[i];
-    const Eigen::Vector2d off = sizeOf(other) - size;
-    const Eigen::Vector2d variance = sizeVariance(first) + sizeVariance(other);
-    odds -= std::log(kStray);
-    for (const int axis : {0, 1}) {
-      const double sigma = std::max(kLeastSigma, std::sqrt(variance[axis]));
-      odds += std::log(2 * kUnlike * size[axis] / (std::sqrt(2 * M_PI) * sigma)) - 0.5 * std::pow(off[axis] / sigma, 2);
-    }
-  }
-  return odds;
-}
-
 bool pauses(const PoseSequence& poses) {
   for (std::size_t i = 1; i < poses.size(); ++i)
     if (poses.stamps[i] - poses.stamps[i - 1] > kLongestPause) return true;
@@ -193,7 +161,7 @@ MotionDetector::MotionDetector(const Track& track, const PoseSequence& poses, co
   refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) || (few_ && (pauses(poses) || isSmall(track))) ||
              (isNarrow(track) && (poses.size() < kNarrowPoses || lacksAnEdge(track)));
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
-  if (few_ && !track.observations.empty()) one_thing_ = oddsOfOneThing(track);
+  if (few_) one_front_ = oddsOfOneFront(track, poses.size());
 }
 
 bool MotionDetector::isSteady(const ModelResiduals& residuals, const PoseSequence& poses) const {
@@ -214,23 +182,24 @@ double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelR
                                     const PoseSequence& poses) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   if (!few_ || covariance_.isZero(0) || !isSteady(residuals, poses)) return kNever;
+  // Few poses have no spread that a motion could stand out of.
+  if (edgeSupport(residuals, poses) < config_.edge_support_min) return kNever;
   if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return kNever;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
   if (turnBetween(first, last) > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return kNever;
   double farthest = 0;
-  const double seen = clarity(edgeSupport(residuals, poses));
   const Eigen::Vector3d center = centerOf(poses.outline);
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
     const Eigen::Vector3d way = last * poses.outline[k] - first * poses.outline[k];
-    if (!standsOut(seen * way.norm(), k, residuals, poses)) continue;
+    if (!standsOut(way.norm(), k, residuals, poses)) continue;
     farthest = std::max(farthest, significance(way, last.linear() * (poses.outline[k] - center)));
   }
-  return farthest > 0 ? std::min(0.5 * farthest * farthest, one_thing_) - std::log(config_.rest_odds) : kNever;
+  return farthest > 0 ? std::min(0.5 * farthest * farthest, one_front_) - std::log(config_.rest_odds) : kNever;
 }
 
 /// Factor of a path that counts where only so much of the edges was seen: clutter and arms end nowhere, and seem to move.
 double MotionDetector::clarity(double edge_support) const {
-  constexpr double kPower = 4;  // half the edges: a path must stand out 16 times as much (ours)
+  constexpr double kPower = 4;  // with half of edge_support_min a path must stand out 16 times as much (ours)
   return std::pow(std::min(1.0, edge_support / config_.edge_support_min), kPower);
 }
 

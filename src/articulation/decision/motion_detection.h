@@ -54,7 +54,7 @@ class MotionDetector {
 
   ArticulationConfig config_;
   bool refused_, few_;
-  double one_thing_ = 0;  ///< [nats] odds that few observations are of one front
+  double one_front_ = 0;  ///< [nats] odds that few observations are of one front
   std::vector<double> jitter_;
   Matrix6d covariance_;  ///< of an observation, in the mean; zero: none was reported
 };

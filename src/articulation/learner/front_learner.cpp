@@ -198,14 +198,14 @@ void FrontLearner::learn(const Track& track) {
   const double of_detector = spaced_.orientation_weights.empty() ? 0 : std::log(config_.rest_odds);
   const double least_odds = std::max(rested ? JointEvidence::kPriorOdds : MotionDetector::kLogOdds, of_detector);
   compareMotions(asked);
+  const Candidate* moving = bestMoving(candidates_);
+  if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
   for (Candidate& candidate : candidates_) {
     candidate.front_log_odds = is_rectangle ? frontLogOdds(candidate, front_, config_.sigma_edge) : 0;
     candidate.plausible = !is_rectangle || !isImplausibleHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   }
-  const Candidate* moving = bestMoving(candidates_);
-  if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
   selection_ = selectModel(&candidates_, spaced_, asked, least_odds, config_);
 }
 

@@ -68,6 +68,7 @@ bool ScrewModel::fit(const PoseSequence& track, const WorkBudget& budget) {
 bool ScrewModel::fitAnew(const PoseSequence& track) {
   if (!std::exchange(has_start_, false) && !turning_.fit(track, WorkBudget::unlimited())) return false;
   with_orientation_ = track.has_orientation;
+  turns_next_ = false;
   return fitted_ = true;
 }
 
