@@ -94,9 +94,9 @@ double hiddenBehind(const StereoCamera& camera, double disparity, double nearer,
   return step < kBoard ? kBoard * std::tan(angle / 2) : std::numeric_limits<double>::infinity();
 }
 
-/// A hinge lies within the thickness of its door. As the door turns about it by an angle, its edge comes to lie up to
-/// 1 + tan(angle / 2) of that beyond the line where both planes meet, and is seen as far as what lies beyond tan(angle / 2) of
-/// it. Masks may end elsewhere: block matching cannot tell the planes apart there.
+/// A hinge lies within the thickness of its door. The door turned by an angle, its edge lies up to 1 + tan(angle / 2) of that
+/// beyond the line where both planes meet. It is seen as far as what lies beyond tan(angle / 2) of it. Masks may end elsewhere:
+/// block matching cannot tell the planes apart there.
 std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegion& region, const Surroundings& surroundings,
                                        const PlaneRectangle& rectangle, Edge edge) {
   std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);

@@ -13,8 +13,8 @@ namespace cabinet_articulation::core {
 /// `sigma_edge` [m]: of the way across the plane. Of joints that turn only the size counts.
 double frontLogOdds(const Candidate& candidate, const Track& front, double sigma_edge);
 
-/// [nats] How much better the newest `count` observations are explained by one front than by a front and things that look like
-/// it, by the sizes that were measured. Things have other sizes. Infinity where no size is known.
+/// [nats] The odds that the newest `count` observations are of one front, against a front and things that look like it, by their
+/// sizes. Things have other sizes. Infinity where no size is known.
 double oddsOfOneFront(const Track& track, std::size_t count);
 
 }  // namespace cabinet_articulation::core

@@ -211,8 +211,7 @@ double MotionDetector::significance(const Eigen::Vector3d& way, const Eigen::Vec
   return std::sqrt(way.dot(covariance.inverse() * way));
 }
 
-/// Is the path of a point of the outline much longer than its jitter and its distance from where the model says? `path` is that
-/// of a front whose edges are seen.
+/// Is the path of a point of the outline much longer than its jitter, and than its distance from where the model says?
 bool MotionDetector::standsOut(double path, std::size_t point, const ModelResiduals& residuals, const PoseSequence& poses) const {
   return path >= config_.motion_to_jitter * jitter_[point] &&
          path >= config_.motion_to_noise * spreadOf(residuals, poses, poses.outline[point], outlierDistance(poses, config_));
