@@ -6,6 +6,9 @@
 
 namespace cabinet_articulation::core {
 
+/// From the median of absolute deviations to the standard deviation: 1 / the 75 % quantile of the standard Gaussian (0.6745).
+constexpr double kDeviationToSigma = 1.4826;
+
 /// The upper of two in the middle; 0 of none.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0;

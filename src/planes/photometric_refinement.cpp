@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "geometry/median.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -195,7 +197,7 @@ float PhotometricRefinement::noise() {
   if (sorted_.empty()) return kLeastSigma;
   const auto middle = sorted_.begin() + sorted_.size() / 2;
   std::nth_element(sorted_.begin(), middle, sorted_.end());
-  return std::max(1.4826F * *middle, kLeastSigma);
+  return std::max(static_cast<float>(kDeviationToSigma) * *middle, kLeastSigma);
 }
 
 /// One Gauss-Newton step. The slope is the mean of both images', which doubles the order of convergence.

@@ -129,15 +129,14 @@ EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const Surr
                   const PlaneRectangle& rectangle, Edge edge, const RectanglesConfig& config) {
   const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
   if (!image) return {};
-  const SideFace face = sideFace(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge);
-  if (!hasImages(surroundings.frame)) {
-    const DepthEdge depth_edge(surroundings.frame, region, *image, face);
-    return shiftTo(findDepthBorders(depth_edge), *image, rectangle.side(1 - edgeAxis(edge)));
-  }
+  const double length = rectangle.side(1 - edgeAxis(edge));
+  const auto face = [&] { return sideFace(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge); };
+  if (!hasImages(surroundings.frame))
+    return shiftTo(findDepthBorders(DepthEdge(surroundings.frame, region, *image, face())), *image, length);
   const std::optional<EdgeShift> crease = measureCrease(chart, region, surroundings, rectangle, edge);
   if (crease && crease->border) return *crease;
   const EdgeProfile profile(surroundings.frame, region, *image);
-  const EdgeShift shift = shiftTo(findBorders(profile, face, config), *image, rectangle.side(1 - edgeAxis(edge)));
+  const EdgeShift shift = shiftTo(findBorders(profile, face(), config), *image, length);
   return shift.border || !crease ? shift : *crease;
 }
 

@@ -30,10 +30,10 @@ LAYERS = {
 }
 # Numbers that somebody chose (count_numbers.py): constants, other literals, defaults of settings. Lower them with the code.
 MOST_NUMBERS = {
-    'planes': (35, 36, 23),
+    'planes': (35, 35, 23),
     'rectangles': (115, 85, 27),
     'tracking': (34, 19, 16),
-    'articulation': (133, 330, 28),
+    'articulation': (132, 329, 28),
 }
 # Folders of src/articulation, in the order of the data: each may use those before it.
 LEARNER_STEPS = ['paths', 'observations', 'fitting', 'models', 'decision', 'learner']

@@ -15,8 +15,6 @@ namespace {
 /// [nats] Between the evidence of moving models.
 constexpr double kClear = 25;
 
-constexpr int kFirstSteps = 24;  ///< of the first look at each model: until it settles; other optima have to wait
-
 constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
 
 /// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with. A sequence is tied
@@ -102,7 +100,8 @@ bool JointTypeComparison::isOf(const std::vector<Candidate>& candidates) const {
 }
 
 void JointTypeComparison::compare(const std::vector<Candidate>& candidates, const WorkSchedule& schedule) {
-  const WorkBudget budget = schedule.isEverything() ? WorkBudget::unlimited() : WorkBudget::ofSteps(kFirstSteps);
+  // The first look goes on until it settles; other optima have to wait.
+  const WorkBudget budget = schedule.isEverything() ? WorkBudget::unlimited() : WorkBudget::ofSteps(kMostSteps);
   // So few poses do not tell how their residuals follow one another; what they say of their noise has to do.
   const bool few = track_.size() < MotionDetector::kFewPoses && !track_.orientation_weights.empty();
   std::vector<std::optional<double>> rivals(candidates.size());

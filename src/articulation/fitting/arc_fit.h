@@ -22,11 +22,14 @@ constexpr double kRoughFit = 0.5;
 /// [nats] Differences in likelihood above which no other local optimum will turn the answer (measured: 24 was turned).
 constexpr double kClearDifference = 40;
 
+/// Steps after which a fit has settled, or never will (ours).
+constexpr int kMostSteps = 24;
+
 /// How long a fit goes on.
 struct FitEffort {
   /// To its end; `rival` is a log-likelihood from which the result need only differ clearly.
   static FitEffort fresh(double tolerance = kFineFit, std::optional<double> rival = std::nullopt) {
-    return {24, tolerance, rival, false};
+    return {kMostSteps, tolerance, rival, false};
   }
   /// At most so many steps on from an earlier fit to almost the same poses.
   static FitEffort continued(int steps) { return {steps, kFineFit, std::nullopt, true}; }

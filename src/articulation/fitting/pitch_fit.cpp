@@ -19,9 +19,8 @@ constexpr int kRounds = 4;        ///< of reweighting (ours)
 constexpr double kCommon = 0.01;  ///< share of the noise's variance that all poses of a track have in common (ours)
 
 double robustSigma(std::vector<double> residuals) {
-  constexpr double kToSigma = 1.4826;  // 1 / the 75 % quantile of a Gaussian
   for (double& residual : residuals) residual = std::abs(residual);
-  return std::max(kLogRounding, kToSigma * median(std::move(residuals)));
+  return std::max(kLogRounding, kDeviationToSigma * median(std::move(residuals)));
 }
 
 /// How much of the information in residuals is independent, where some follow one another. They are cut at `limit`.
