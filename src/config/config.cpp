@@ -108,6 +108,7 @@ std::string formatYaml(const std::string& title, const std::string& values, cons
   std::string text = "# " + title + "\n# Every setting with " + values;
   text += ". Generated from the code: print_config prints it again.\n";
   for (const FieldText& field : fields) {
+    if (!field.section.empty()) text += "\n# ---- " + field.section + "\n";
     text += "\n# " + field.meaning + "\n# ";
     if (!field.unit.empty()) text += "[" + field.unit + "] ";
     text += (field.allowed.empty() ? "any text" : field.allowed) + "\n" + field.key + ": " + field.value + "\n";

@@ -71,13 +71,13 @@ ArticulationConfig paperArticulation() {
   config.sigma_position = config.sigma_position_floor = config.sigma_plane = 0.01;  // library
   config.sigma_orientation = config.sigma_orientation_floor = 0.1;                  // library, with a camera
   config.degrees_of_freedom = config.sequence_degrees_of_freedom = 1000;            // Eq. (9): Gaussian
-  config.sigma_edge = config.sigma_hinge = 0;                                       // nothing is known of fronts and hinges
+  config.sigma_edge = config.prior.sigma_hinge = 0;                                 // nothing is known of fronts and hinges
   config.radius_min = 0.001;                                                        // library: any radius
   config.radius_max = config.marker_radius_max = 10;
   // Eq. (11) decides alone.
   config.sagitta_min = config.turn_min = config.edge_support_min = 0;
   config.motion_min = config.motion_to_noise = config.motion_to_jitter = 0;
-  config.rest_odds = 1e-6;
+  config.prior.rest_odds = 1e-6;
   config.outlier_share_max = 1;
   config.deviation_max = 100;
   config.covariance_factor = 1;

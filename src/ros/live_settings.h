@@ -23,9 +23,11 @@ namespace cabinet_articulation {
 namespace detail {
 
 /// A field as dynamic_reconfigure describes it. Called by `fields()`.
-class DescriptionBuilder {
+class DescriptionBuilder : public core::detail::PassesOverSections {
  public:
   DescriptionBuilder();
+
+  using PassesOverSections::operator();
 
   void operator()(const char* key, const bool& value, const char* meaning);
   void operator()(const char* key, const int& value, const core::Range& range, const char* unit, const char* meaning);
@@ -39,8 +41,11 @@ class DescriptionBuilder {
 };
 
 /// The values of the fields. Called by `fields()`.
-struct ValueCollector {
+struct ValueCollector : core::detail::PassesOverSections {
   dynamic_reconfigure::Config* values;
+
+  explicit ValueCollector(dynamic_reconfigure::Config* all) : values(all) {}
+  using PassesOverSections::operator();
 
   void operator()(const char* key, const bool& value, const char*) const;
   void operator()(const char* key, const int& value, const core::Range&, const char*, const char*) const;
@@ -61,7 +66,7 @@ dynamic_reconfigure::ConfigDescription describeForTuning() {
 template <class Config>
 dynamic_reconfigure::Config toTuning(const Config& config) {
   dynamic_reconfigure::Config values;
-  Config::fields(config, detail::ValueCollector{&values});
+  Config::fields(config, detail::ValueCollector(&values));
   dynamic_reconfigure::GroupState group;
   group.name = "Default";
   group.state = true;

@@ -17,17 +17,30 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: fit_track FILE... [--sigma-position M] [--sigma-orientation RAD] [--positions-only] [--seed N]\n"
+    "                         [--config DIR]\n"
     "Learns how the front of each log moves and prints one CSV line per file. A log has one pose a line, in metres:\n"
-    "x y z [qx qy qz qw [width height]].\n";
+    "x y z [qx qy qz qw [width height]]. DIR/articulation.yaml has other settings than the defaults.\n";
 
 struct Options {
   std::vector<std::string> files;
   ArticulationConfig config;
 };
 
+/// The settings that other options change. Throws ConfigError.
+ArticulationConfig baseConfig(int argc, char** argv) {
+  const auto option = std::find(argv + 1, argv + argc, std::string("--config"));
+  if (option == argv + argc) return {};
+  if (option + 1 == argv + argc) throw ConfigError("--config needs a folder");
+  std::vector<std::string> warnings;
+  const auto config = loadConfig<ArticulationConfig>(std::string(option[1]) + "/articulation.yaml", &warnings);
+  for (const std::string& warning : warnings) std::fprintf(stderr, "fit_track: %s\n", warning.c_str());
+  return config;
+}
+
 /// Throws ConfigError for an option that is unknown, incomplete or out of range.
 Options parseOptions(int argc, char** argv) {
   Options options;
+  options.config = baseConfig(argc, argv);
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto number = [&]() {
@@ -45,6 +58,8 @@ Options parseOptions(int argc, char** argv) {
       options.config.use_orientation = false;
     } else if (word == "--seed") {
       options.config.seed = static_cast<int>(number());
+    } else if (word == "--config") {
+      ++i;  // see baseConfig()
     } else if (word.rfind("--", 0) == 0) {
       throw ConfigError("unknown option " + word);
     } else {

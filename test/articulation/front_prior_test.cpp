@@ -10,8 +10,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kSigmaEdge = 0.02;  // [m]
-
 /// Of a front that slides along this direction of its own axes.
 double logOdds(const Eigen::Vector3d& direction, double width = 0.4, double height = 0.5) {
   const ArticulationConfig config;
@@ -26,7 +24,7 @@ double logOdds(const Eigen::Vector3d& direction, double width = 0.4, double heig
   const PoseSequence poses = history.evenlySpaced({}, history.size());
   PrismaticModel model(config);
   EXPECT_TRUE(model.fit(poses, WorkBudget::unlimited()));
-  return frontLogOdds(evaluateCandidate(&model, poses, config), track, kSigmaEdge);
+  return frontLogOdds(evaluateCandidate(&model, poses, config), track, config);
 }
 
 TEST(FrontPrior, DrawersComeOutAlongTheirNormal) {
@@ -60,24 +58,24 @@ Track ofWidths(const std::vector<double>& widths, double sigma) {
 }
 
 TEST(OddsOfOneFront, GrowWithObservationsThatAgree) {
-  const double two = oddsOfOneFront(ofWidths({0.4, 0.402}, 0.004), 2),
-               three = oddsOfOneFront(ofWidths({0.4, 0.402, 0.4}, 0.004), 3);
+  const double two = oddsOfOneFront(ofWidths({0.4, 0.402}, 0.004), 2, FurniturePrior()),
+               three = oddsOfOneFront(ofWidths({0.4, 0.402, 0.4}, 0.004), 3, FurniturePrior());
   EXPECT_GT(two, 8);
   EXPECT_GT(three, two + 5);
-  EXPECT_LT(oddsOfOneFront(ofWidths({0.4, 0.402}, 0.04), 2), two - 2) << "sizes that are hardly known say less";
+  EXPECT_LT(oddsOfOneFront(ofWidths({0.4, 0.402}, 0.04), 2, FurniturePrior()), two - 2) << "sizes that are hardly known say less";
 }
 
 TEST(OddsOfOneFront, AreThoseOfTheWorstObservation) {
-  EXPECT_LT(oddsOfOneFront(ofWidths({0.4, 0.4, 0.4, 0.5}, 0.01), 4), 0);
-  EXPECT_LT(oddsOfOneFront(ofWidths({0.5, 0.4, 0.4, 0.4}, 0.01), 4), 0);
-  EXPECT_GT(oddsOfOneFront(ofWidths({0.5, 0.4, 0.4, 0.4}, 0.01), 3), 0) << "an older observation is not asked";
+  EXPECT_LT(oddsOfOneFront(ofWidths({0.4, 0.4, 0.4, 0.5}, 0.01), 4, FurniturePrior()), 0);
+  EXPECT_LT(oddsOfOneFront(ofWidths({0.5, 0.4, 0.4, 0.4}, 0.01), 4, FurniturePrior()), 0);
+  EXPECT_GT(oddsOfOneFront(ofWidths({0.5, 0.4, 0.4, 0.4}, 0.01), 3, FurniturePrior()), 0) << "an older observation is not asked";
 }
 
 TEST(OddsOfOneFront, SayNothingWithoutSizes) {
-  EXPECT_EQ(oddsOfOneFront(ofWidths({0.4}, 0.01), 1), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(oddsOfOneFront(ofWidths({0.4}, 0.01), 1, FurniturePrior()), std::numeric_limits<double>::infinity());
   Track unknown = ofWidths({0, 0}, 0.01);
   for (TrackedObservation& observation : unknown.observations) observation.measured.height = 0;
-  EXPECT_EQ(oddsOfOneFront(unknown, 2), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(oddsOfOneFront(unknown, 2, FurniturePrior()), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

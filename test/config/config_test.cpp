@@ -21,6 +21,7 @@ struct Example {
     visit("stride", self.stride, Range{1, 32}, "px", "every stride-th pixel");
     visit("distance", self.distance, Range{0, 1}, "m", "threshold");
     visit("refine", self.refine, "second pass");
+    visit(Section{"Which way."});
     visit("method", self.method, Choices{"ours", "paper"}, "which one");
   }
 };
@@ -82,6 +83,15 @@ TEST(Config, ReadsBackWhatItPrints) {
   EXPECT_EQ(read.stride, 7);
   EXPECT_EQ(read.distance, written.distance);
   std::remove(path.c_str());
+}
+
+TEST(Config, PrintsAHeadingAboveTheFirstFieldOfASection) {
+  const std::string text = toYaml(Example(), "Example");
+  const std::size_t heading = text.find("# ---- Which way.\n");
+  ASSERT_NE(heading, std::string::npos) << text;
+  EXPECT_GT(heading, text.find("refine: true"));
+  EXPECT_LT(heading, text.find("# which one"));
+  EXPECT_EQ(text.find("# ----", heading + 1), std::string::npos) << "one heading";
 }
 
 TEST(Config, PrintsNumbersThatEveryYamlReaderTakesForNumbers) {

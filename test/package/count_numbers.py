@@ -37,8 +37,10 @@ def count(folder):
         total['lines'] += text.count('\n')
         total['constants'] += len(constants)
         total['literals'] += sum(value(literal) not in SELF_EVIDENT for literal in NUMBER.findall(rest))
-    for file in (ROOT / 'include/cabinet_articulation' / folder).glob('*_config.h'):
-        total['defaults'] += len(DEFAULT.findall(without_comments(file.read_text())))
+    for file in (ROOT / 'include/cabinet_articulation' / folder).glob('*.h'):
+        code = without_comments(file.read_text())
+        if 'static void fields(' in code:
+            total['defaults'] += len(DEFAULT.findall(code))
     return total
 
 

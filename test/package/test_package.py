@@ -33,7 +33,7 @@ MOST_NUMBERS = {
     'planes': (35, 35, 23),
     'rectangles': (115, 85, 27),
     'tracking': (34, 19, 16),
-    'articulation': (132, 329, 28),
+    'articulation': (116, 329, 40),
 }
 # Folders of src/articulation, in the order of the data: each may use those before it.
 LEARNER_STEPS = ['paths', 'observations', 'fitting', 'models', 'decision', 'learner']

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cabinet_articulation/articulation/furniture_prior.h"
 #include "cabinet_articulation/config/config.h"
 
 namespace cabinet_articulation::core {
@@ -15,7 +16,6 @@ struct ArticulationConfig {
   double sigma_orientation = 0.1;
   double sigma_edge = 0.02;
   double sigma_plane = 0.003;
-  double sigma_hinge = 0.05;
   double degrees_of_freedom = 5;
   double sigma_position_floor = 0.001;
   double sigma_orientation_floor = 0.14;
@@ -29,7 +29,6 @@ struct ArticulationConfig {
   double motion_min = 0.03;
   double motion_to_noise = 6;
   double motion_to_jitter = 10;
-  double rest_odds = 1000;
   double edge_support_min = 0.5;
   int observations_min = 2;
   double outlier_share_max = 0.3;
@@ -40,6 +39,8 @@ struct ArticulationConfig {
   int poses_max = 200;
   int sequence_poses_max = 320;
   int seed = 1;
+
+  FurniturePrior prior;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -52,9 +53,6 @@ struct ArticulationConfig {
           "error of a front's place within its plane that its edges share over a track (measured: up to 0.02)");
     visit("sigma_plane", self.sigma_plane, Range{1e-4, 1}, "m",
           "error of a front's place across its plane, at its edges too, which deviations are weighed against (measured)");
-    visit("sigma_hinge", self.sigma_hinge, Range{0, 10}, "m",
-          "distance of a hinge from its front's plane and from an edge of it, which tells where it is while the front turned but "
-          "little; 0: any (ours)");
     visit("degrees_of_freedom", self.degrees_of_freedom, Range{1, 1000}, "",
           "tails of the noise when parameters are fitted (Student's t; measured: 5, large is Gaussian)");
     visit("sigma_position_floor", self.sigma_position_floor, Range{1e-6, 0.1}, "m",
@@ -80,9 +78,6 @@ struct ArticulationConfig {
     visit(
         "motion_to_jitter", self.motion_to_jitter, Range{0, 100}, "",
         "nor shorter than this many times the jitter from one pose to the next (measured: real motions 15 and more, mostly 100)");
-    visit("rest_odds", self.rest_odds, Range{1e-6, 1e9}, "",
-          "odds beforehand, from a detector that sees all that stands in a room, that a front stays at rest while it is watched "
-          "(ours: one of a thousand moves)");
     visit("edge_support_min", self.edge_support_min, Range{0, 1}, "",
           "share of its edges that the median observation of a front sees; with less, a motion must stand out more "
           "(measured: fronts 0.57 and more, clutter 0.45)");
@@ -101,6 +96,7 @@ struct ArticulationConfig {
     visit("sequence_poses_max", self.sequence_poses_max, Range{10, 100000}, "",
           "poses the comparison of prismatic and rotational uses at most, in runs; less costs right answers (measured)");
     visit("seed", self.seed, Range{0, 2147483647}, "", "seed of the consensus that starts the fits");
+    FurniturePrior::fields(self.prior, visit);
   }
 };
 

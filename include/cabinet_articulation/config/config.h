@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Range {
 /// Allowed values of a string.
 using Choices = std::vector<std::string>;
 
+/// A heading in the list of fields, above those that follow.
+struct Section {
+  const char* title;
+};
+
 /// Settings as they come from a YAML file or the parameter server, before they are checked.
 using ConfigValue = std::variant<bool, int, double, std::string>;
 using ConfigValues = std::map<std::string, ConfigValue>;
@@ -38,6 +44,7 @@ using ConfigValues = std::map<std::string, ConfigValue>;
  *     visit("stride", self.stride, Range{1, 32}, "px", "what it does and where the value comes from");
  *     visit("refine", self.refine, "what it does");                              // bool
  *     visit("method", self.method, Choices{"a", "b"}, "what it does");           // std::string
+ *     visit(Section{"heading"});                                                 // above the fields that follow
  *   }
  *
  * Checking, loading, printing and the documentation's tables all follow from that one list.
@@ -55,7 +62,13 @@ double toDouble(const std::string& key, const ConfigValue& value);
 std::string toString(const std::string& key, const ConfigValue& value);
 std::string yamlNumber(double value);
 
-struct Checker {
+/// For visitors that care for the fields only.
+struct PassesOverSections {
+  void operator()(const Section&) const {}
+};
+
+struct Checker : PassesOverSections {
+  using PassesOverSections::operator();
   void operator()(const char*, const bool&, const char*) const {}
   template <class Number>
   void operator()(const char* key, const Number& value, const Range& range, const char* unit, const char*) const {
@@ -66,17 +79,22 @@ struct Checker {
   }
 };
 
-struct KeyLister {
+struct KeyLister : PassesOverSections {
   std::vector<std::string>* keys;
+
+  explicit KeyLister(std::vector<std::string>* list) : keys(list) {}
+  using PassesOverSections::operator();
   template <class... Rest>
   void operator()(const char* key, Rest&&...) const {
     keys->push_back(key);
   }
 };
 
-struct Assigner {
+struct Assigner : PassesOverSections {
   const ConfigValues& values;
 
+  explicit Assigner(const ConfigValues& all) : values(all) {}
+  using PassesOverSections::operator();
   void operator()(const char* key, bool& field, const char*) const {
     if (const ConfigValue* value = find(key)) field = toBool(key, *value);
   }
@@ -98,23 +116,31 @@ struct Assigner {
 /// One line of a YAML file or of a documentation table.
 struct FieldText {
   std::string key, value, unit, allowed, meaning;
+  std::string section;  ///< heading above this field; empty: none
 };
 
 struct Describer {
   std::vector<FieldText>* out;
+  std::string section;
 
-  void operator()(const char* key, const bool& value, const char* meaning) const {
-    out->push_back({key, value ? "true" : "false", "", "true or false", meaning});
+  explicit Describer(std::vector<FieldText>* texts) : out(texts) {}
+  void operator()(const Section& heading) { section = heading.title; }
+  void operator()(const char* key, const bool& value, const char* meaning) {
+    add({key, value ? "true" : "false", "", "true or false", meaning, ""});
   }
   template <class Number>
-  void operator()(const char* key, const Number& value, const Range& range, const char* unit, const char* meaning) const {
+  void operator()(const char* key, const Number& value, const Range& range, const char* unit, const char* meaning) {
     const std::string text = std::is_integral<Number>::value ? std::to_string(static_cast<int>(value)) : yamlNumber(value);
-    out->push_back({key, text, unit, yamlNumber(range.min) + " to " + yamlNumber(range.max), meaning});
+    add({key, text, unit, yamlNumber(range.min) + " to " + yamlNumber(range.max), meaning, ""});
   }
-  void operator()(const char* key, const std::string& value, const Choices& choices, const char* meaning) const {
+  void operator()(const char* key, const std::string& value, const Choices& choices, const char* meaning) {
     std::string allowed;
     for (const std::string& choice : choices) allowed += (allowed.empty() ? "" : ", ") + choice;
-    out->push_back({key, value.empty() ? "\"\"" : value, "", allowed, meaning});
+    add({key, value.empty() ? "\"\"" : value, "", allowed, meaning, ""});
+  }
+  void add(FieldText text) {
+    text.section.swap(section);
+    out->push_back(std::move(text));
   }
 };
 
@@ -131,7 +157,7 @@ void checkConfig(const Config& config) {
 template <class Config>
 std::vector<detail::FieldText> describeConfig(const Config& config) {
   std::vector<detail::FieldText> out;
-  Config::fields(config, detail::Describer{&out});
+  Config::fields(config, detail::Describer(&out));
   return out;
 }
 
@@ -146,7 +172,7 @@ std::string toYaml(const Config& config, const std::string& title, const std::st
 template <class... Configs>
 std::vector<std::string> applyConfig(const ConfigValues& values, Configs&... configs) {
   std::vector<std::string> keys;
-  (Configs::fields(configs, detail::KeyLister{&keys}), ...);
+  (Configs::fields(configs, detail::KeyLister(&keys)), ...);
   std::vector<std::string> warnings;
   for (const auto& entry : values) {
     bool known = false;
@@ -156,7 +182,7 @@ std::vector<std::string> applyConfig(const ConfigValues& values, Configs&... con
                          detail::nearestKey(entry.first, keys) + "'?");
   }
   const auto assign = [&values](auto config) {
-    decltype(config)::fields(config, detail::Assigner{values});
+    decltype(config)::fields(config, detail::Assigner(values));
     checkConfig(config);
     return config;
   };

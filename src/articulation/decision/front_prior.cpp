@@ -11,23 +11,17 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kDrawers = 0.9, kSlidingDoors = 0.08;  ///< shares of fronts that slide; the rest goes anywhere (ours)
-constexpr double kSpread = 0.1;                         ///< [rad] of directions about those; fronts and their fits tilt (ours)
-
-/// [m] Longer side of a front below which fronts become rare, and the standard deviation of its logarithm there: small drawers
-/// are 0.2 to 0.3 m wide (ours).
-constexpr double kTypicalSide = 0.3, kSideSpread = 0.5;
-
-double sizeLogOdds(const Track& front) {
-  const double smaller = std::min(0.0, std::log(std::max(front.width, front.height) / kTypicalSide));
-  return -0.5 * std::pow(smaller / kSideSpread, 2);
+double sizeLogOdds(const Track& front, const FurniturePrior& prior) {
+  const double smaller = std::min(0.0, std::log(std::max(front.width, front.height) / prior.front_side));
+  return -0.5 * std::pow(smaller / prior.front_side_spread, 2);
 }
 
-double directionLogOdds(const Candidate& candidate, double sigma_edge) {
+/// `sigma_edge` [m]: of the way across the plane.
+double directionLogOdds(const Candidate& candidate, double sigma_edge, const FurniturePrior& prior) {
   const JointTraits& traits = candidate.model->traits();
   if (!traits.moves || !traits.is_parametric || traits.turns) return 0;
   const double range = std::max(candidate.residuals.q_max - candidate.residuals.q_min, 1e-6);  // m
-  const double sigma = std::min(1.0, std::hypot(kSpread, sigma_edge / range));
+  const double sigma = std::min(1.0, std::hypot(prior.direction_spread, sigma_edge / range));
   const Eigen::Vector3d direction = candidate.model->predict(0).linear().transpose() * candidate.model->geometry().axis;
   // Density on the half sphere beside that of any direction.
   const auto about = [sigma](double cosine) {
@@ -35,7 +29,8 @@ double directionLogOdds(const Candidate& candidate, double sigma_edge) {
     return std::exp(-0.5 * std::pow(angle / sigma, 2)) / (sigma * sigma);
   };
   const double sliding = (about(direction.x()) + about(direction.y())) / 2;
-  return std::log(kDrawers * about(direction.z()) + kSlidingDoors * sliding + 1 - kDrawers - kSlidingDoors);
+  const double anywhere = std::max(0.0, 1 - prior.drawer_share - prior.sliding_share);
+  return std::log(prior.drawer_share * about(direction.z()) + prior.sliding_share * sliding + anywhere);
 }
 
 struct MeasuredSize {
@@ -52,8 +47,7 @@ MeasuredSize sizeOf(const TrackedObservation& observation) {
 }
 
 /// [nats] For one observation beside the others.
-double oddsOfSameSize(const std::vector<MeasuredSize>& sizes, std::size_t i, int axis) {
-  constexpr double kUnlike = 0.3;  // by which sizes of things differ that a tracker takes for one another (ours)
+double oddsOfSameSize(const std::vector<MeasuredSize>& sizes, std::size_t i, int axis, double unlike) {
   std::vector<double> values, variances;
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     if (k == i) continue;
@@ -62,13 +56,12 @@ double oddsOfSameSize(const std::vector<MeasuredSize>& sizes, std::size_t i, int
   }
   const double size = median(values), variance = sizes[i].variance[axis] + median(variances);
   if (!(size > 0)) return 0;
-  return std::log(2 * kUnlike * size / std::sqrt(2 * M_PI * variance)) -
-         0.5 * std::pow(sizes[i].value[axis] - size, 2) / variance;
+  return std::log(2 * unlike * size / std::sqrt(2 * M_PI * variance)) - 0.5 * std::pow(sizes[i].value[axis] - size, 2) / variance;
 }
 
 }  // namespace
 
-double oddsOfOneFront(const Track& track, std::size_t count) {
+double oddsOfOneFront(const Track& track, std::size_t count, const FurniturePrior& prior) {
   constexpr double kStray = 0.05;  // share of the observations of clutter that take in something else (ours)
   const auto& all = track.observations;
   std::vector<MeasuredSize> sizes;
@@ -78,12 +71,13 @@ double oddsOfOneFront(const Track& track, std::size_t count) {
   // A motion may rest on the one observation that agrees least.
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sizes.size(); ++i)
-    least = std::min(least, oddsOfSameSize(sizes, i, 0) + oddsOfSameSize(sizes, i, 1) - std::log(kStray));
+    least = std::min(least, oddsOfSameSize(sizes, i, 0, prior.unlike_size) + oddsOfSameSize(sizes, i, 1, prior.unlike_size) -
+                                std::log(kStray));
   return least * static_cast<double>(sizes.size() - 1);
 }
 
-double frontLogOdds(const Candidate& candidate, const Track& front, double sigma_edge) {
-  return sizeLogOdds(front) + directionLogOdds(candidate, sigma_edge);
+double frontLogOdds(const Candidate& candidate, const Track& front, const ArticulationConfig& config) {
+  return sizeLogOdds(front, config.prior) + directionLogOdds(candidate, config.sigma_edge, config.prior);
 }
 
 }  // namespace cabinet_articulation::core

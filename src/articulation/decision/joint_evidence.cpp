@@ -2,6 +2,7 @@
 #include "articulation/decision/joint_evidence.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/turn_between.h"
 
@@ -44,7 +45,7 @@ void JointEvidence::remember(const LearnedModel& joint) {
 }
 
 void JointEvidence::consider(const ArticulationModel& joint, const PoseSequence& poses, double log_odds) {
-  if (!isEstablished() && log_odds < kPriorOdds) return;
+  if (!isEstablished() && log_odds < std::log(config_.prior.rest_odds)) return;
   *this = JointEvidence(config_);
   const ModelResiduals residuals = joint.residuals(poses);
   for (std::size_t i = 0; i < poses.size(); ++i)

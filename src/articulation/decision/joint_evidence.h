@@ -20,9 +20,6 @@ namespace cabinet_articulation::core {
  */
 class JointEvidence {
  public:
-  /// [nats] One in a thousand rectangles opens (ours). Measured in a room at rest: up to 3.8; fronts pass 7 within some 8 cm.
-  static constexpr double kPriorOdds = 6.9;
-
   explicit JointEvidence(const ArticulationConfig& config) : config_(config) {}
 
   bool isEstablished() const { return support_ > 0; }

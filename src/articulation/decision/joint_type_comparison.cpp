@@ -15,11 +15,9 @@ namespace {
 /// [nats] Between the evidence of moving models.
 constexpr double kClear = 25;
 
-constexpr double kFastest = 1;  ///< [m/s] of a hand, as the tracker's max_speed
-
 /// Runs of poses from the first that at least one of the models explains, and that the next pose agrees with. A sequence is tied
 /// to the path by its first residual, which must not be a false detection.
-PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidate>& candidates, double limit) {
+PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidate>& candidates, double limit, double hand_speed) {
   const auto explained = [&](const Eigen::Isometry3d& pose) {
     return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
       if (!candidate.model->moves()) return false;
@@ -30,7 +28,7 @@ PoseSequence fromExplained(const PoseSequence& track, const std::vector<Candidat
   const auto continues = [&](std::size_t i) {
     if (i + 1 >= track.size() || track.startsRun(i + 1)) return true;
     const double step = (track.poses[i + 1].translation() - track.poses[i].translation()).norm();
-    return step <= limit + kFastest * (track.stamps[i + 1] - track.stamps[i]);
+    return step <= limit + hand_speed * (track.stamps[i + 1] - track.stamps[i]);
   };
   std::vector<std::size_t> indices;
   std::vector<char> run_starts;
@@ -67,7 +65,7 @@ void JointTypeComparison::update(const ObservationHistory& poses, ReferencePoint
   const bool thorough = schedule.isEverything() || verdict_.empty();
   const auto begin = [&](std::size_t count) {
     const PoseSequence runs = poses.runs(reference, count);
-    track_ = fromExplained(runs, *candidates, outlierDistance(runs, config_));
+    track_ = fromExplained(runs, *candidates, outlierDistance(runs, config_), config_.prior.hand_speed);
     compared_at_ = poses.size();
     compared_path_ = path;
     entries_.assign(candidates->size(), {});

@@ -22,7 +22,6 @@ namespace {
 constexpr std::size_t kTriples = 200;
 constexpr double kArmWidth = 0.09;        ///< [m] what is narrower may be an arm
 constexpr double kClutterSize = 0.2;      ///< [m] a few of what is smaller may be a face of something that lies about
-constexpr double kFastestTurn = 3;        ///< [rad/s] planes that are taken for one another turn at once
 constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
 constexpr std::size_t kCovariances = 50;  ///< observations enough for a mean
 
@@ -161,7 +160,7 @@ MotionDetector::MotionDetector(const Track& track, const PoseSequence& poses, co
   refused_ = poses.size() < static_cast<std::size_t>(config.observations_min) || (few_ && (pauses(poses) || isSmall(track))) ||
              (isNarrow(track) && (poses.size() < kNarrowPoses || lacksAnEdge(track)));
   for (const Eigen::Vector3d& point : poses.outline) jitter_.push_back(jitterOf(poses, point));
-  if (few_) one_front_ = oddsOfOneFront(track, poses.size());
+  if (few_) one_front_ = oddsOfOneFront(track, poses.size(), config.prior);
 }
 
 bool MotionDetector::isSteady(const ModelResiduals& residuals, const PoseSequence& poses) const {
@@ -186,7 +185,8 @@ double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelR
   if (edgeSupport(residuals, poses) < config_.edge_support_min) return kNever;
   if (poses.size() > 2 && largestGap(residuals) > kLargestGap) return kNever;
   const Eigen::Isometry3d first = model.predict(residuals.q_min), last = model.predict(residuals.q_max);
-  if (turnBetween(first, last) > kFastestTurn * (poses.stamps.back() - poses.stamps.front())) return kNever;
+  // Planes that are taken for one another turn at once.
+  if (turnBetween(first, last) > config_.prior.hand_turn_rate * (poses.stamps.back() - poses.stamps.front())) return kNever;
   double farthest = 0;
   const Eigen::Vector3d center = centerOf(poses.outline);
   for (std::size_t k = 0; k < poses.outline.size(); ++k) {
@@ -194,7 +194,7 @@ double MotionDetector::earlyLogOdds(const ArticulationModel& model, const ModelR
     if (!standsOut(way.norm(), k, residuals, poses)) continue;
     farthest = std::max(farthest, significance(way, last.linear() * (poses.outline[k] - center)));
   }
-  return farthest > 0 ? std::min(0.5 * farthest * farthest, one_front_) - std::log(config_.rest_odds) : kNever;
+  return farthest > 0 ? std::min(0.5 * farthest * farthest, one_front_) - std::log(config_.prior.rest_odds) : kNever;
 }
 
 /// Factor of a path that counts where only so much of the edges was seen: clutter and arms end nowhere, and seem to move.

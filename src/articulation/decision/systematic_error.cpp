@@ -17,9 +17,6 @@ namespace {
 /// that of the bow of a parabola through a hundred poses.
 constexpr double kSystematicBow = 0.34;
 
-constexpr double kWideDoor = 0.6;      ///< [m] radius that few doors of cabinets exceed (ours)
-constexpr double kRadiusSpread = 0.5;  ///< standard deviation of the logarithm of doors' radii (ours)
-
 /// [m] Of the positions about the path, in each of the two directions across it.
 double positionNoise(const Candidate& candidate) {
   constexpr double kToSigma = 1 / 1.1774;  // 1 / sqrt(2 ln 2), of the median of a Rayleigh distribution
@@ -67,13 +64,14 @@ double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& si
   const double turned = track.has_orientation ? 0.5 * std::pow(turnAlongPath(candidate) / sigmaTurn(track, config), 2) : 0;
   // Of all radii that doors have, this many others would be as far from the data: Occam's factor.
   const double z = std::sqrt(2 * (bends + turned));
-  return bends + turned - std::max(0.0, std::log(kRadiusSpread * z)) + candidate.model->logPrior();
+  return bends + turned - std::max(0.0, std::log(config.prior.door_radius_spread * z)) + candidate.model->logPrior();
 }
 
 double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config) {
   if (!track.orientation_weights.empty()) return std::numeric_limits<double>::infinity();
-  const double way = simpler.residuals.path, bow = way * way / (8 * kWideDoor);
-  const double turned = track.has_orientation ? way / kWideDoor / sigmaTurn(track, config) : 0;
+  const double wide = config.prior.door_radius * std::exp(config.prior.door_radius_spread);  // m; few doors are wider
+  const double way = simpler.residuals.path, bow = way * way / (8 * wide);
+  const double turned = track.has_orientation ? way / wide / sigmaTurn(track, config) : 0;
   return 0.5 * (std::pow(bow / sigmaBow(simpler, config), 2) + turned * turned);
 }
 

@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t kScoredPoses = 60;
 constexpr int kHypotheses = 30;
 constexpr double kStraightRadius = 100;  ///< [m] circles beyond are lines
-constexpr double kTypicalRadius = 0.45;  ///< [m] of a cabinet's door
 
 /// Directions in which points scatter, most first.
 struct Scatter {
@@ -170,7 +169,8 @@ Arc bestCircleStart(const PoseSamples& samples, const ArticulationConfig& config
   std::vector<Arc> starts{consensusArc(samples, PathShape::kCircle, config)};
   if (samples.has_orientation && samples.size() > 1) {
     starts.push_back(turningCircle(samples, config));
-    for (const Arc& arc : typicalCircles(samples, consensusArc(samples, PathShape::kLine, config))) starts.push_back(arc);
+    for (const Arc& arc : typicalCircles(samples, consensusArc(samples, PathShape::kLine, config), config.prior.door_radius))
+      starts.push_back(arc);
   }
   double least = std::numeric_limits<double>::infinity();
   Arc best = starts.front();
@@ -184,13 +184,13 @@ Arc bestCircleStart(const PoseSamples& samples, const ArticulationConfig& config
   return best;
 }
 
-std::vector<Arc> typicalCircles(const PoseSamples& samples, const Arc& line) {
+std::vector<Arc> typicalCircles(const PoseSamples& samples, const Arc& line, double typical_radius) {
   const Scatter scatter = scatterOf(samples.positions);
   std::vector<Arc> circles;
   for (const double side : {1.0, -1.0}) {
     Arc arc = line;
     arc.frame = arcFrame(line.tangent(), side * scatter.axes.col(1));
-    arc.curvature = 1 / kTypicalRadius;
+    arc.curvature = 1 / typical_radius;
     circles.push_back(centeredOn(samples, arc));
   }
   return circles;

@@ -18,7 +18,7 @@ Arc turningCircle(const PoseSamples& samples, const ArticulationConfig& config);
 /// The most likely of all starts for a circle.
 Arc bestCircleStart(const PoseSamples& samples, const ArticulationConfig& config);
 
-/// Circles of a typical radius that bend either way from a line, in the plane in which positions scatter most.
-std::vector<Arc> typicalCircles(const PoseSamples& samples, const Arc& line);
+/// Circles of `typical_radius` [m] that bend either way from a line, in the plane in which positions scatter most.
+std::vector<Arc> typicalCircles(const PoseSamples& samples, const Arc& line, double typical_radius);
 
 }  // namespace cabinet_articulation::core

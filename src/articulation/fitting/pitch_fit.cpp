@@ -38,7 +38,7 @@ PitchEstimate PitchFit::solve(double degrees_of_freedom) const {
   Normal normal;
   for (int round = 0; round < kRounds; ++round) {
     normal = 1e-9 * Normal::Identity();
-    normal(5, 5) += 1 / (kTypicalPitch * kTypicalPitch);
+    normal(5, 5) += 1 / (typical_pitch_ * typical_pitch_);
     Row right = Row::Zero();
     add(positions_, x, round == 0 ? kTypicalPositionNoise : 0, degrees_of_freedom, &normal, &right);
     add(orientations_, x, round == 0 ? kTypicalOrientationNoise : 0, degrees_of_freedom, &normal, &right);

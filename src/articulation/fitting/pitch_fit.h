@@ -15,8 +15,8 @@ struct PitchEstimate {
 /// turn on it, at the same time.
 class PitchFit {
  public:
-  /// [m/rad] Standard deviation of pitches: 25 mm a turn; stools and vices have 2 to 50.
-  static constexpr double kTypicalPitch = 0.004;
+  /// `typical_pitch` [m/rad]: standard deviation of pitches before any pose is seen.
+  explicit PitchFit(double typical_pitch) : typical_pitch_(typical_pitch) {}
 
   /// Of shift, tilt (2), turn of the front (2), pitch.
   using Row = Eigen::Matrix<double, 6, 1>;
@@ -40,6 +40,7 @@ class PitchFit {
   static void add(const std::vector<Equation>& equations, const Row& x, double sigma, double degrees_of_freedom, Normal* normal,
                   Row* right);
 
+  double typical_pitch_;
   std::vector<Equation> positions_, orientations_;
 };
 

@@ -195,15 +195,16 @@ void FrontLearner::learn(const Track& track) {
   const MotionDetector* asked = detector ? &*detector : nullptr;
   // A log is of something that was moved. What a detector sees most likely rests, as does what has been watched at rest.
   const bool rested = !placed_anew_ && observations_.size() >= WorkSchedule::kShortTrack && !learned_.moved;
-  const double of_detector = spaced_.orientation_weights.empty() ? 0 : std::log(config_.rest_odds);
-  const double least_odds = std::max(rested ? JointEvidence::kPriorOdds : MotionDetector::kLogOdds, of_detector);
+  const bool of_detector = !spaced_.orientation_weights.empty();
+  const double at_rest = rested || of_detector ? std::log(config_.prior.rest_odds) : 0;
+  const double least_odds = std::max(MotionDetector::kLogOdds, at_rest);
   compareMotions(asked);
   const Candidate* moving = bestMoving(candidates_);
   if (!moving || !explains(*moving, config_)) fitModels(spaced_, false);
   const Eigen::Isometry3d T_reference_center(Eigen::Translation3d(-reference_.offset(front_.width, front_.height)));
   const bool is_rectangle = poses_.has_orientation && front_.width > 0;
   for (Candidate& candidate : candidates_) {
-    candidate.front_log_odds = is_rectangle ? frontLogOdds(candidate, front_, config_.sigma_edge) : 0;
+    candidate.front_log_odds = is_rectangle ? frontLogOdds(candidate, front_, config_) : 0;
     candidate.plausible = !is_rectangle || !isImplausibleHinge(candidate, front_, T_reference_center, config_.sigma_edge);
   }
   selection_ = selectModel(&candidates_, spaced_, asked, least_odds, config_);

@@ -160,7 +160,7 @@ SequenceProgress ArcModel::compareAnew(const PoseSamples& samples, std::optional
   const bool close = rival && std::abs(sequence_->log_likelihood - *rival) < kClearDifference;
   if (shape_ == PathShape::kLine || !close) return {sequence_->log_likelihood, true};
   searched_at_ = samples.size();
-  for (const Arc& start : typicalCircles(samples, arc_)) {
+  for (const Arc& start : typicalCircles(samples, arc_, config_.prior.door_radius)) {
     const SequenceFit fit = fitFrom(start);
     if (fit.log_likelihood > sequence_->log_likelihood) sequence_ = fit;
   }
@@ -180,7 +180,8 @@ SequenceProgress ArcModel::continueComparison(const PoseSamples& samples, int st
   else if (sequence_->settled && others_.empty() && isMuchMore(samples.size(), searched_at_)) {
     searched_at_ = samples.size();
     others_.push_back(sequenceStart(samples, fit_, arc_, config_));
-    for (const Arc& start : typicalCircles(samples, arc_)) others_.push_back(sequenceStart(samples, fit_, start, config_));
+    for (const Arc& start : typicalCircles(samples, arc_, config_.prior.door_radius))
+      others_.push_back(sequenceStart(samples, fit_, start, config_));
   }
   return {sequence_->log_likelihood, sequence_->settled && others_.empty()};
 }

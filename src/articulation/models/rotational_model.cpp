@@ -7,17 +7,10 @@
 #include "geometry/cross_matrix.h"
 
 namespace cabinet_articulation::core {
-namespace {
-
-/// [m] Distance of a front's observed point from its hinge beyond which doors become rare, and the standard deviation of its
-/// logarithm there. The doors of cabinets are up to 0.6 m wide, those of appliances 0.75 m, those of rooms 0.9 m (ours).
-constexpr double kTypicalRadius = 0.4, kRadiusSpread = 0.4;
-
-}  // namespace
 
 double RotationalModel::logPrior() const {
-  const double wider = std::max(0.0, std::log(arc_.radius() / kTypicalRadius));
-  return -0.5 * std::pow(wider / kRadiusSpread, 2);
+  const double wider = std::max(0.0, std::log(arc_.radius() / config_.prior.door_radius));
+  return -0.5 * std::pow(wider / config_.prior.door_radius_spread, 2);
 }
 
 JointGeometry RotationalModel::geometry() const { return {arc_.axis(), arc_.center(), arc_.radius(), 0}; }

@@ -13,7 +13,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kShare = 0.01;       ///< of screws among the joints of a household (ours)
 constexpr double kLeastNoise = 1e-4;  ///< [m] of positions, where a model does not say
 constexpr int kFreshRounds = 4;
 constexpr int kStepsOfRound = 4;
@@ -36,12 +35,14 @@ double mostLikelyTurn(double turn, double advance, double pitch, double noise, d
 
 }  // namespace
 
-double ScrewModel::logPrior() const { return std::log(kShare) - 0.5 * std::pow(pitch_.value / PitchFit::kTypicalPitch, 2); }
+double ScrewModel::logPrior() const {
+  return std::log(config_.prior.screw_share) - 0.5 * std::pow(pitch_.value / config_.prior.screw_pitch, 2);
+}
 
 /// The odds that the pitch, as far as the noise tells it, is not 0: the integral over its prior beside the likelihood of none.
 double ScrewModel::largestAdvantage() const {
-  const double prior_variance = std::pow(PitchFit::kTypicalPitch, 2);
-  return std::log(kShare) + 0.5 * pitch_.value * pitch_.value / pitch_.variance -
+  const double prior_variance = std::pow(config_.prior.screw_pitch, 2);
+  return std::log(config_.prior.screw_share) + 0.5 * pitch_.value * pitch_.value / pitch_.variance -
          0.5 * std::log(prior_variance / pitch_.variance);
 }
 
@@ -138,7 +139,7 @@ PitchEstimate ScrewModel::bestPitch(const PoseSequence& track, const std::vector
   const JointGeometry geometry = turning_.geometry();
   const Eigen::Vector3d e1 = geometry.axis.unitOrthogonal(), e2 = geometry.axis.cross(e1);
   const bool weighted = track.has_orientation && !track.position_weights.empty();
-  PitchFit fit;
+  PitchFit fit(config_.prior.screw_pitch);
   PitchFit::Row row;
   for (std::size_t i = 0; i < track.size(); ++i) {
     const Eigen::Isometry3d& pose = track.poses[i];

@@ -217,7 +217,7 @@ PoseSequence ObservationHistory::picked(ReferencePoint point, const std::vector<
   track.position_jitter = jitter_.position;
   track.orientation_jitter = jitter_.orientation;
   // Only of rectangles is it known how they lie in space: a marker may be stuck on any way round.
-  if (size_.minCoeff() > 0) track.hinge = {config_.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
+  if (size_.minCoeff() > 0) track.hinge = {config_.prior.sigma_hinge, -point.offset(size_.x(), size_.y()), size_ / 2};
   track.stamps.reserve(indices.size());
   track.poses.reserve(indices.size());
   track.edge_support.reserve(indices.size());
