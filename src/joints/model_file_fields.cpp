@@ -162,6 +162,7 @@ YAML::Node toYaml(const KnownFront& front) {
   for (const auto& [name, value] : scalars) node[name] = toText(value);
   node["q_min_is_end"] = model.q_min_is_end;
   node["q_max_is_end"] = model.q_max_is_end;
+  if (model.hollow) node["hollow"] = true;
   node["covariance"] = list(model.covariance);
   node["number_of_observations"] = model.observations;
   for (const ModelParam& param : model.params) node["params"][param.name] = list(Numbers{param.value, double(param.kind)});
@@ -180,10 +181,12 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   readRange(node, &model);
   model.width = side(node["width"], "width");
   model.height = side(node["height"], "height");
+  model.hollow = node["hollow"] && flag(node["hollow"], "hollow");
   readQuality(node, &model);
   front.track.id = model.id;
   front.track.width = model.width;
   front.track.height = model.height;
+  front.track.hollow = model.hollow;
   front.track.observations = readObservations(node["observations"]);
   return front;
 }

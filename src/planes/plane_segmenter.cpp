@@ -8,6 +8,7 @@
 
 #include "cabinet_articulation/geometry/limits.h"
 #include "planes/duplicate_merger.h"
+#include "planes/enclosed_holes.h"
 #include "planes/fold_search.h"
 #include "planes/hole_filling.h"
 #include "planes/mask_pool.h"
@@ -92,6 +93,7 @@ struct PlaneSegmenter::Buffers {
   DuplicateMerger merger;
   RegionCompetition competition;
   PhotometricRefinement refinement;
+  EnclosedHoles holes;
   MaskPool masks;
 };
 
@@ -131,6 +133,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
     cv::Mat1b mask = b.masks.take(disparity.size());
     labelByNoise(disparity, grown.plane, tolerance, limit, &mask);
     regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set), mask});
+    b.holes.label(regions.back().hull, regions.back().inliers, &mask);
   }
   return regions;
 }

@@ -45,6 +45,12 @@ bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>
   return std::all_of(kEdges.begin(), kEdges.end(), [&](Edge edge) { return cut[edge] || edge_support[edge] >= kWellSeen; });
 }
 
+bool framed(const DetectedRectangle& rectangle, const RectanglesConfig& config) {
+  const auto seen = [&](float share) { return share >= config.min_observed_across; };
+  const auto& edges = rectangle.edge_support;
+  return !rectangle.hollow || std::count_if(edges.begin(), edges.end(), seen) > 2;
+}
+
 bool sameSurface(const Rectangle& a, const Rectangle& b) {
   return a.normal().dot(b.normal()) > kSameNormal && std::abs(a.plane().distance(b.center())) < kSameDistance &&
          intersectionOverUnion(a, b) > kSameOverlap;

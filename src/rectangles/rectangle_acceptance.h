@@ -22,6 +22,9 @@ bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, 
 /// two opposite edges must be in view, and all in view well seen.
 bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>& cut, const RectanglesConfig& config);
 
+/// False if less than three edges were observed around a hole: that is no frame (ours).
+bool framed(const DetectedRectangle& rectangle, const RectanglesConfig& config);
+
 /// True if both show the same surface at the same place.
 bool sameSurface(const Rectangle& a, const Rectangle& b);
 

@@ -64,6 +64,7 @@ std::optional<SupportedRectangle> assess(const RectangleCandidate& candidate, co
   result.detection.rectangle = candidate.chart.toSpace(candidate.rectangle);
   result.detection.precision = precision(counts, config);
   result.detection.recall = recall(counts, candidate.region.inliers);
+  result.detection.hollow = counts.hole >= kHollowShare * (counts.hole + counts.total());
   if (!fillsRegion(result.detection, counts, config)) return std::nullopt;
   return result;
 }
@@ -170,7 +171,8 @@ std::optional<SupportedRectangle> RectangleDetector::refine(const Surroundings& 
   detection.edge_support = observedShares(frame, *candidate, candidate->rectangle, refined);
   result->tracked = tracked(detection.rectangle, expected);
   const std::array<bool, 4> cut = cutEdges(candidate->chart, candidate->rectangle, candidate->region.mask.size());
-  if (!bounded(detection.edge_support, cut, config_) && !result->tracked) return std::nullopt;
+  const bool is_front = bounded(detection.edge_support, cut, config_) && framed(detection, config_);
+  if (!is_front && !result->tracked) return std::nullopt;
   std::array<EdgeObservation, 4> edges;
   for (const Edge edge : kEdges) edges[edge] = {detection.edge_support[edge], refined.confirmed[edge]};
   detection.covariance = rectangleCovariance(candidate->chart, candidate->rectangle, edges, candidate->region, frame);

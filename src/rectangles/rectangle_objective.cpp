@@ -18,6 +18,7 @@ std::vector<std::int32_t> labelWeights(const RectanglesConfig& config, bool pape
   std::vector<std::int32_t> weights(256, std::lround(kWeightScale * (paper ? 1 - config.cost_unknown : config.weight_unknown)));
   weights[kInPlane] = kWeightScale;
   weights[kFree] = std::lround(kWeightScale * (paper ? 0 : config.weight_free));
+  weights[kHole] = 0;
   weights[kOtherPlane] = std::lround(kWeightScale * (paper ? 0 : config.weight_other_plane));
   weights[kOccluded] = std::lround(kWeightScale * (paper ? 1 - config.cost_occluded : config.weight_occluded));
   return weights;
@@ -90,20 +91,22 @@ LabelCounts RectangleObjective::count(const ImageQuad& quad) const {
   int total = 0;
   forEachSpan(quad, mask_.cols, mask_.rows, 1, [&](int v, int u_begin, int u_end) {
     const std::uint8_t* labels = mask_[v];
-    int in_plane = 0, free = 0, occluded = 0, other = 0;
+    int in_plane = 0, free = 0, occluded = 0, other = 0, hole = 0;
     for (int u = u_begin; u < u_end; ++u) {
       in_plane += labels[u] == kInPlane;
       free += labels[u] == kFree;
+      hole += labels[u] == kHole;
       occluded += labels[u] == kOccluded;
       other += labels[u] == kOtherPlane;
     }
     counts.in_plane += in_plane;
     counts.free += free;
+    counts.hole += hole;
     counts.occluded += occluded;
     counts.other_plane += other;
     total += u_end - u_begin;
   });
-  counts.unknown = total - counts.total();
+  counts.unknown = total - counts.total() - counts.hole;
   return counts;
 }
 

@@ -13,6 +13,7 @@ namespace cabinet_articulation::core {
 /// Pixels of a rectangle by label. Only pixels inside the image are counted.
 struct LabelCounts {
   int in_plane = 0, free = 0, occluded = 0, unknown = 0, other_plane = 0;
+  int hole = 0;  ///< says nothing about the front
 
   int total() const { return in_plane + free + occluded + unknown + other_plane; }
 };

@@ -58,6 +58,7 @@ Rectangle toMessage(const core::DetectedRectangle& rectangle) {
   message.precision = rectangle.precision;
   message.recall = rectangle.recall;
   std::copy(rectangle.edge_support.begin(), rectangle.edge_support.end(), message.edge_support.begin());
+  message.hollow = rectangle.hollow;
   message.plane = static_cast<std::uint32_t>(std::max(rectangle.region, 0));
   return message;
 }
@@ -71,6 +72,7 @@ core::DetectedRectangle fromMessage(const Rectangle& message) {
   rectangle.precision = message.precision;
   rectangle.recall = message.recall;
   std::copy(message.edge_support.begin(), message.edge_support.end(), rectangle.edge_support.begin());
+  rectangle.hollow = message.hollow;
   rectangle.region = static_cast<int>(message.plane);
   return rectangle;
 }

@@ -109,6 +109,7 @@ Track toMessage(const core::Track& track, const std::string& frame_id) {
   message.revision = track.revision;
   message.width = track.width;
   message.height = track.height;
+  message.hollow = track.hollow;
   const size_t count = track.observations.size();
   message.stamps.reserve(count);
   message.edge_support.reserve(4 * count);
@@ -141,6 +142,7 @@ core::TrackUpdate fromMessage(const Track& message) {
   update.track.revision = message.revision;
   update.track.width = message.width;
   update.track.height = message.height;
+  update.track.hollow = message.hollow;
   std::vector<UncertainRectangle> placed(count);
   for (UncertainRectangle& each : placed) each.rectangle = {Eigen::Isometry3d::Identity(), message.width, message.height};
   read(placedLists(message), "", &placed);

@@ -36,6 +36,8 @@ std::optional<Continuation> continueFrom(const KnownPlace& reference, double sec
 
 std::optional<Continuation> findContinuation(const Track& track, const TrackMemory& memory, const DetectedRectangle& detection,
                                              double stamp, const TrackingConfig& config) {
+  // Behind a front that opens there may be the body's own frame.
+  if (detection.hollow && !track.hollow && isConfirmed(track, config)) return std::nullopt;
   std::optional<Continuation> best;
   const auto consider = [&](const KnownPlace& reference, double seconds) {
     const auto candidate = continueFrom(reference, seconds, detection, memory.size, config);

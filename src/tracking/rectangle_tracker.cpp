@@ -164,6 +164,7 @@ void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, 
   memory.unseen = 0;
   memory.last_seen = stamp;
   ++memory.seen;
+  track.hollow = track.hollow || rectangle.hollow;
   memory.size.add(measured);
   const KnownSize& known = memory.size.known();
   const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep ||
@@ -239,6 +240,7 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
     track.id = takeId();
     track.width = detection.rectangle.width;
     track.height = detection.rectangle.height;
+    track.hollow = detection.hollow;
     track.observations.push_back(
         {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
     TrackMemory memory{FrontSize(config_)};

@@ -32,6 +32,7 @@ class ModelFiles : public test::ModelFolder {
 TEST_F(ModelFiles, BringBackWhatWasKnown) {
   ModelFile saved{"odom", {learned(test::doorModel()), learned(test::drawerModel()), learned(test::garageModel())}};
   saved.fronts[1].model.doubt = 0.25;
+  saved.fronts[0].model.hollow = true;
   saveModelFile(path_, saved);
   const ModelFile loaded = readModelFile(path_);
   EXPECT_EQ(loaded.frame, "odom");
@@ -53,6 +54,8 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
     EXPECT_TRUE(after.axis_point.isApprox(before.axis_point, 1e-10));
     EXPECT_TRUE(after.covariance.isApprox(before.covariance, 1e-9));
     EXPECT_EQ(after.curve.size(), before.curve.size());
+    EXPECT_EQ(after.hollow, before.hollow);
+    EXPECT_EQ(loaded.fronts[i].track.hollow, before.hollow);
     for (const auto& field :
          {&LearnedModel::radius, &LearnedModel::pitch, &LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max,
           &LearnedModel::width, &LearnedModel::height, &LearnedModel::position_error, &LearnedModel::orientation_error})

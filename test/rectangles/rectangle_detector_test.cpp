@@ -68,6 +68,36 @@ TEST_F(RectangleDetectorTest, HolesWithoutDepthDoNotMatter) {
   EXPECT_LT(cornerError(front, found[0].rectangle), kCornerTolerance);
 }
 
+/// A glass door: a frame of 4 cm before what is behind the pane, which counts for nothing.
+PlaneRegion frameAround(const Rectangle& front, const StereoCamera& camera, std::uint8_t behind) {
+  PlaneRegion region = frontRegion(front, camera);
+  Rectangle pane = front;
+  pane.width -= 0.08;
+  pane.height -= 0.08;
+  region.mask.setTo(behind, footprint(pane, camera));
+  return region;
+}
+
+TEST_F(RectangleDetectorTest, AFrameAroundAHoleIsAHollowFront) {
+  const Rectangle front = exampleFront({0, 0, 1.3}, 0.35, 0.4, 0.5, 0, 0.05);
+  const auto found = detect(finishRegion(frameAround(front, frame_.camera, kHole)));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].hollow);
+  EXPECT_LT(cornerError(front, found[0].rectangle), kCornerTolerance);
+  EXPECT_TRUE(detect(finishRegion(frameAround(front, frame_.camera, kFree))).empty()) << "the outside is no hole";
+}
+
+TEST_F(RectangleDetectorTest, AHoleNeedsThreeEdgesAroundIt) {
+  const Rectangle front = exampleFront({0, 0, 1.3}, 0.35, 0.4, 0, 0, 0);
+  PlaneRegion region = frameAround(front, frame_.camera, kHole);
+  const cv::Rect box = cv::boundingRect(footprint(front, frame_.camera));
+  // Walls go on to the left and above.
+  region.mask(cv::Rect(0, box.y, box.x, box.height)).setTo(kOccluded);
+  EXPECT_EQ(detect(finishRegion(region)).size(), 1U);
+  region.mask(cv::Rect(0, 0, 640, box.y)).setTo(kOccluded);
+  EXPECT_TRUE(detect(finishRegion(region)).empty());
+}
+
 TEST_F(RectangleDetectorTest, ANeighbourInTheSamePlaneIsLeftToItsOwnRegion) {
   const Rectangle front = exampleFront({-0.1, 0, 1.3}, 0.3, 0.3, 0, 0, 0);
   const Rectangle neighbour = exampleFront({0.2, 0, 1.3}, 0.3, 0.3, 0, 0, 0);

@@ -41,6 +41,7 @@ core::DetectedRectangle exampleRectangle() {
   rectangle.recall = 0.73;
   rectangle.edge_support = {1, 0.5, 0, 0.25};
   rectangle.region = 3;
+  rectangle.hollow = true;
   return rectangle;
 }
 
@@ -49,6 +50,7 @@ core::Track exampleTrack() {
   track.id = 7;
   track.width = 0.41;
   track.height = 0.61;
+  track.hollow = true;
   for (int i = 0; i < 3; ++i) {
     core::TrackedObservation observation;
     observation.stamp = 100.25 + i;
@@ -137,6 +139,7 @@ TEST(RectangleConversion, KeepsEveryField) {
   EXPECT_EQ(back.recall, rectangle.recall);
   EXPECT_EQ(back.edge_support, rectangle.edge_support);
   EXPECT_EQ(back.region, rectangle.region);
+  EXPECT_EQ(back.hollow, rectangle.hollow);
 }
 
 TEST(RectangleConversion, ArrayCarriesTheHeaderAndNamesTheBadElement) {
@@ -158,6 +161,7 @@ TEST(TrackConversion, KeepsEveryObservation) {
   EXPECT_EQ(back.id, track.id);
   EXPECT_EQ(back.width, track.width);
   EXPECT_EQ(back.height, track.height);
+  EXPECT_EQ(back.hollow, track.hollow);
   ASSERT_EQ(back.observations.size(), track.observations.size());
   for (size_t i = 0; i < track.observations.size(); ++i) {
     EXPECT_EQ(back.observations[i].stamp, track.observations[i].stamp);

@@ -61,6 +61,32 @@ TEST(RectangleTracker, ADoorSwungOpenBehindAHandIsTheSameDoor) {
   EXPECT_EQ(tracker.tracks()[0].observations.size(), 6u);
 }
 
+TEST(RectangleTracker, TheBodysFrameBehindADoorIsAnotherFront) {
+  NoisyDetector detect(10);
+  RectangleTracker tracker({});
+  DetectedRectangle body = detect.fromFront(closedFront());
+  body.hollow = true;
+  for (int i = 1; i <= 5; ++i) tracker.process(i * kFrame, {detect.fromFront(closedFront())});
+  tracker.process(6 * kFrame, {body});
+  ASSERT_EQ(tracker.tracks().size(), 2u);
+  EXPECT_FALSE(tracker.tracks()[0].hollow);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 5u);
+  EXPECT_TRUE(tracker.tracks()[1].hollow);
+}
+
+TEST(RectangleTracker, AGlassDoorStaysTheSameWhereItsPaneIsNotSeen) {
+  NoisyDetector detect(11);
+  RectangleTracker tracker({});
+  for (int i = 1; i <= 10; ++i) {
+    DetectedRectangle door = detect.fromFront(swung(closedFront(), 0.05 * i));
+    door.hollow = i < 6 || i == 9;
+    tracker.process(i * kFrame, {door});
+  }
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 10u);
+  EXPECT_TRUE(tracker.tracks()[0].hollow);
+}
+
 TEST(RectangleTracker, ADoorThatClosedBehindAHandGoesBackAlongItsHistory) {
   NoisyDetector detect(9);
   RectangleTracker tracker({});

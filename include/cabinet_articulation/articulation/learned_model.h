@@ -31,7 +31,7 @@ struct LearnedModel {
   bool moved = false;                 ///< false: not enough motion to tell yet
   bool explained = true;              ///< false: moved, but no model describes it ("none of these")
   bool observed = true;               ///< false: expected to be a joint, but never seen to move
-  bool hollow = false;                ///< seen to be hollow behind the front
+  bool hollow = false;                ///< seen to be a frame around a hole
   double support = 0;                 ///< observations at different places on the joint's path; 0: it is not established yet
   double doubt = 0;                   ///< how near observations off the path are to outweighing those; 1: it was given up
   std::uint32_t parent = 0;           ///< id of the front it hangs on; 0: the world

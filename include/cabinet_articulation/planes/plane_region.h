@@ -9,9 +9,14 @@
 
 namespace cabinet_articulation::core {
 
-/// What a pixel says about a plane: Eq. (2) of the paper plus `kOtherPlane` (ours): in-plane, but inside another region
-/// and nearer to that region's plane. The values are those of Plane.msg and readable as a picture.
-enum Label : std::uint8_t { kFree = 0, kUnknown = 64, kOtherPlane = 128, kOccluded = 192, kInPlane = 255 };
+/// What a pixel says about a plane: Eq. (2) of the paper plus two (ours). `kOtherPlane`: in-plane, but inside another region and
+/// nearer to that region's plane. `kHole`: free, but enclosed by the region. The values are those of Plane.msg and readable as a
+/// picture.
+enum Label : std::uint8_t { kFree = 0, kHole = 32, kUnknown = 64, kOtherPlane = 128, kOccluded = 192, kInPlane = 255 };
+
+/// Share of a front from which on a hole makes it hollow (ours): panes take half of their door and more, gaps of solid fronts
+/// less.
+constexpr double kHollowShare = 0.2;
 
 /// One connected region of one plane. Masks of different regions overlap.
 struct PlaneRegion {

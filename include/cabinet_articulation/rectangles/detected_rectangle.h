@@ -17,6 +17,7 @@ struct DetectedRectangle {
   double precision = 0;                             ///< Eq. (4)
   double recall = 0;                                ///< Eq. (5), of the connected region
   std::array<float, 4> edge_support{{0, 0, 0, 0}};  ///< [0..1] observed share of the edges, in the order of `Edge`
+  bool hollow = false;                              ///< a frame around a hole, as that of a glass door
   int region = 0;                                   ///< index of the plane region it was found in
 };
 

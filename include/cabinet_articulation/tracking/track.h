@@ -25,8 +25,9 @@ constexpr std::uint32_t kLargestId = 4000000000U;
 /// The history of one physical front (paper III-C), oldest observation first.
 struct Track {
   std::uint32_t id = 0;
-  double width = 0;   ///< [m] estimated over the whole track
-  double height = 0;  ///< [m]
+  double width = 0;     ///< [m] estimated over the whole track
+  double height = 0;    ///< [m]
+  bool hollow = false;  ///< was seen to be a frame around a hole
   /// Counts how often a better size placed earlier observations anew. While it stays the same, observations were appended
   /// or, never the first and the newest, thinned out.
   std::uint32_t revision = 0;

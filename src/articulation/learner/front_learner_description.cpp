@@ -27,6 +27,7 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
   learned.explained = selection_.explained;
   learned.width = front_.width;
   learned.height = front_.height;
+  learned.hollow = front_.hollow;
   learned.observations = static_cast<int>(observations_.size());
   learned.q = candidate.model->configuration(poses_.poses.back());
   describeJoint(candidate, spaced_, reference_.offset(front_.width, front_.height), config_, &learned);
@@ -37,6 +38,7 @@ LearnedModel FrontLearner::describe(const Candidate& candidate) const {
 LearnedModel FrontLearner::describeKnownJoint() const {
   LearnedModel learned = *joint_;
   learned.id = front_.id;
+  learned.hollow = learned.hollow || front_.hollow;
   learned.stamp = poses_.stamps.back();
   learned.q = knownJoint().configuration(poses_.poses.back());
   learned.observations = static_cast<int>(observations_.size());

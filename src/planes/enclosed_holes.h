@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace cabinet_articulation::core {
+
+/// Labels the free pixels that a region encloses `kHole` (ours): the pane of a glass door and the mouth of an oven are no
+/// evidence against the frame around them. A pixel is enclosed if no way leads from it out of the region's hull through free
+/// pixels and those without a measurement. Less than kHollowShare of the hull is no hole.
+class EnclosedHoles {
+ public:
+  /// `hull` [px]: of the region, which has `inliers` pixels.
+  void label(const std::vector<cv::Point2f>& hull, int inliers, cv::Mat1b* mask);
+
+ private:
+  cv::Mat1b open_;      ///< where a way may lead, with a border around; then which of it leads outside
+  cv::Mat1b enclosed_;  ///< not zero: free and enclosed
+};
+
+}  // namespace cabinet_articulation::core
