@@ -127,7 +127,9 @@ run_all() (
   export LSAN_OPTIONS="suppressions=$suppressions_address:print_suppressions=0"
   export TSAN_OPTIONS="log_path=$reports/$1:suppressions=$suppressions_thread:print_suppressions=0:history_size=7:handle_abort=1"
   status=0
-  run_tests + "${unjudged[@]}" || status=1
+  local without_verdict=() name
+  for name in "${unjudged[@]}"; do [[ " ${not_run[*]} " == *" $name "* ]] || without_verdict+=("$name"); done
+  run_tests + "${without_verdict[@]}" || status=1
   rm -rf "$build/test_results"
   run_tests - "${unjudged[@]}" "${not_run[@]}" || status=1
   if [ "$1" = address ]; then run_tools || status=1; fi
