@@ -28,6 +28,12 @@ constexpr int kLanes = 8;  ///< partial sums, fixed so that every processor adds
 
 using Lane = float[kLanes];
 
+/// What a Gauss-Newton step needs of the samples, whose number is a multiple of the lanes.
+struct Rows {
+  const float *x, *y, *slope, *right, *gradient, *row_gradient, *residual, *seen;
+  size_t size;
+};
+
 /// Adds eight samples to the normal equations: the products of the weighted derivatives, then those with the residual.
 inline void addProducts(const Lane* derivative, const Lane& weight, const Lane& residual, Lane* sums) {
   int product = 0;
@@ -44,6 +50,26 @@ inline float robustWeight(float residual, float sigma) {
   const float error = std::abs(residual);
   const float linear = kHuber * sigma / std::max(error, kHuber * sigma);
   return error <= kReject * sigma ? linear : 0;
+}
+
+/// Every processor adds the same numbers in the same order: no fused operations are among the targets.
+__attribute__((target_clones("avx2", "default"))) void addRows(const Rows& rows, float gain, float sigma, Lane* sums) {
+  for (size_t start = 0; start < rows.size; start += kLanes) {
+    Lane derivative[kUnknowns], weight, residual;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const size_t i = start + lane;
+      const float slope = 0.5F * (gain * rows.gradient[i] + rows.slope[i]);
+      derivative[0][lane] = slope * rows.x[i];
+      derivative[1][lane] = slope * rows.y[i];
+      derivative[2][lane] = slope;
+      derivative[3][lane] = -gain * rows.row_gradient[i];
+      derivative[4][lane] = -rows.right[i];
+      derivative[5][lane] = -1;
+      residual[lane] = rows.residual[i];
+      weight[lane] = rows.seen[i] * robustWeight(rows.residual[i], sigma);
+    }
+    addProducts(derivative, weight, residual, sums);
+  }
 }
 
 double total(const Lane& lane) {
@@ -203,23 +229,10 @@ float PhotometricRefinement::noise() {
 /// One Gauss-Newton step. The slope is the mean of both images', which doubles the order of convergence.
 std::optional<PhotometricRefinement::Step> PhotometricRefinement::step(double gain, float sigma) const {
   Lane sums[kSums] = {};
-  const float g = static_cast<float>(gain);
-  for (size_t start = 0; start < samples_.size(); start += kLanes) {
-    Lane derivative[kUnknowns], weight, residual;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const size_t i = start + lane;
-      const float slope = 0.5F * (g * samples_.gradient[i] + samples_.slope[i]);
-      derivative[0][lane] = slope * samples_.x[i];
-      derivative[1][lane] = slope * samples_.y[i];
-      derivative[2][lane] = slope;
-      derivative[3][lane] = -g * samples_.row_gradient[i];
-      derivative[4][lane] = -samples_.right[i];
-      derivative[5][lane] = -1;
-      residual[lane] = samples_.residual[i];
-      weight[lane] = samples_.seen[i] * robustWeight(samples_.residual[i], sigma);
-    }
-    addProducts(derivative, weight, residual, sums);
-  }
+  const Samples& s = samples_;
+  addRows({s.x.data(), s.y.data(), s.slope.data(), s.right.data(), s.gradient.data(), s.row_gradient.data(), s.residual.data(),
+           s.seen.data(), s.size()},
+          static_cast<float>(gain), sigma, sums);
   Eigen::Matrix<double, kUnknowns, kUnknowns> normal;
   Eigen::Matrix<double, kUnknowns, 1> gradient;
   int product = 0;
