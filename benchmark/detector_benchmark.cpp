@@ -157,6 +157,7 @@ constexpr int kRepetitions = 3;
 void reportLimits(const LimitReporter& times) {
   for (const int place : kPlaces) {
     const auto at = [place](const char* stage) { return std::string(stage) + "/" + std::to_string(place); };
+    times.compare(at("stereo") + " beside half of OpenCV's StereoBM", at("stereo"), at("opencvStereoBm"), 0.5);
     times.compare(at("detector") + " beside OpenCV's StereoBM", at("detector"), at("opencvStereoBm"));
     times.compare(at("planes") + " before refinement (paper: 845 ms)", at("planesUnrefined"), 10);
     times.compare(at("rectangle") + " optimised (paper: 313 ms)", at("rectangleSearch"), 1);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "stereo/image_text.h"
+#include "stereo/sad_matcher.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -53,25 +54,35 @@ void requirePair(const cv::Mat& left, const cv::Mat& right, const StereoCamera& 
 }  // namespace
 
 struct BlockMatcher::Buffers {
-  cv::Ptr<cv::StereoBM> matcher;
-  cv::Mat left, right;   ///< padded on the left
-  cv::Mat1s sixteenths;  ///< StereoBM's result, also padded
+  std::unique_ptr<SadMatcher> own;
+  cv::Ptr<cv::StereoBM> opencv;  ///< where there is no own one
+  cv::Mat left, right;           ///< padded on the left, for StereoBM
+  cv::Mat1s padded;              ///< its result
 };
 
 BlockMatcher::BlockMatcher(const StereoConfig& config) : config_(checked(config)), buffers_(new Buffers) {
-  buffers_->matcher = makeMatcher(config_);
+  if (config.matcher == "own" && SadMatcher::supports(config))
+    buffers_->own = std::make_unique<SadMatcher>(config);
+  else
+    buffers_->opencv = makeMatcher(config);
 }
 
 BlockMatcher::~BlockMatcher() = default;
 
+cv::Mat1s BlockMatcher::match(const cv::Mat& left, const cv::Mat& right) {
+  if (buffers_->own) return buffers_->own->compute(left, right);
+  // StereoBM leaves the columns empty in which the search would leave the right image.
+  const int pad = config_.recover_left_band ? config_.disparity_range + std::max(config_.min_disparity, 0) : 0;
+  cv::copyMakeBorder(left, buffers_->left, 0, 0, pad, 0, cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
+  cv::copyMakeBorder(right, buffers_->right, 0, 0, pad, 0, cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
+  buffers_->opencv->compute(buffers_->left, buffers_->right, buffers_->padded);
+  return buffers_->padded.colRange(pad, buffers_->padded.cols);
+}
+
 DepthFrame BlockMatcher::process(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera) {
   assert(camera.isSane());
   requirePair(left, right, camera, config_);
-  // StereoBM leaves the columns empty in which the search would leave the right image.
-  const int pad = config_.recover_left_band ? config_.disparity_range + std::max(config_.min_disparity, 0) : 0;
-  cv::copyMakeBorder(left, buffers_->left, 0, 0, pad, 0, cv::BORDER_REPLICATE);
-  cv::copyMakeBorder(right, buffers_->right, 0, 0, pad, 0, cv::BORDER_REPLICATE);
-  buffers_->matcher->compute(buffers_->left, buffers_->right, buffers_->sixteenths);
+  const cv::Mat1s sixteenths = match(left, right);
 
   DepthFrame frame;
   frame.camera = camera;
@@ -82,7 +93,7 @@ DepthFrame BlockMatcher::process(const cv::Mat& left, const cv::Mat& right, cons
   const float smallest = static_cast<float>(config_.min_disparity);
   const float cx_difference = static_cast<float>(camera.cx_difference);
   for (int v = 0; v < left.rows; ++v) {
-    const short* in = buffers_->sixteenths[v] + pad;
+    const short* in = sixteenths[v];
     float* out = frame.disparity[v];
     for (int u = 0; u < left.cols; ++u) {
       const float searched = in[u] * (1.0F / cv::StereoMatcher::DISP_SCALE);

