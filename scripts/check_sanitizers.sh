@@ -38,9 +38,9 @@ unjudged=(
 )
 # long_use_test takes ten minutes in one thread; endurance_test and incremental_fit_test run the same code for less long. soak.test
 # plays to the end of a scene again and again; those above do the same with the same nodelets.
-not_run_address=(track_cost_test plane_memory_test long_use_test soak.test)
+not_run_address=(track_cost_test plane_memory_test block_matcher_memory_test long_use_test soak.test)
 not_run_thread=(
-  track_cost_test plane_memory_test long_use_test soak.test
+  track_cost_test plane_memory_test block_matcher_memory_test long_use_test soak.test
   # Has several threads in OpenCV's pool, which keeps an order that is not seen.
   thread_count_test
   # As soak.test, with recordings.

@@ -11,13 +11,13 @@
 #include "planes/enclosed_holes.h"
 #include "planes/fold_search.h"
 #include "planes/hole_filling.h"
-#include "planes/mask_pool.h"
 #include "planes/metric_consensus.h"
 #include "planes/photometric_refinement.h"
 #include "planes/plane_consensus.h"
 #include "planes/plane_mask.h"
 #include "planes/region_competition.h"
 #include "planes/region_growing.h"
+#include "stereo/image_pool.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -94,7 +94,7 @@ struct PlaneSegmenter::Buffers {
   RegionCompetition competition;
   PhotometricRefinement refinement;
   EnclosedHoles holes;
-  MaskPool masks;
+  ImagePool<cv::Mat1b> masks;
 };
 
 PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), buffers_(new Buffers(config)) {}

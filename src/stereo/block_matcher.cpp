@@ -6,11 +6,14 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "stereo/image_pool.h"
 #include "stereo/image_text.h"
 #include "stereo/sad_matcher.h"
 
 namespace cabinet_articulation::core {
 namespace {
+
+constexpr size_t kFramesInUse = 4;  ///< results whose memory is lent again (ours: stages and messages hold two or three)
 
 void requireMultiple(const char* key, int value, int divisor, int remainder, const char* expected) {
   if (value % divisor == remainder) return;
@@ -58,6 +61,7 @@ struct BlockMatcher::Buffers {
   cv::Ptr<cv::StereoBM> opencv;  ///< where there is no own one
   cv::Mat left, right;           ///< padded on the left, for StereoBM
   cv::Mat1s padded;              ///< its result
+  ImagePool<cv::Mat1f> disparities{kFramesInUse};
 };
 
 BlockMatcher::BlockMatcher(const StereoConfig& config) : config_(checked(config)), buffers_(new Buffers) {
@@ -88,7 +92,7 @@ DepthFrame BlockMatcher::process(const cv::Mat& left, const cv::Mat& right, cons
   frame.camera = camera;
   frame.left = left;
   frame.right = right;
-  frame.disparity.create(left.size());
+  frame.disparity = buffers_->disparities.take(left.size());
   const float half_window = static_cast<float>(config_.correlation_window_size / 2);
   const float smallest = static_cast<float>(config_.min_disparity);
   const float cx_difference = static_cast<float>(camera.cx_difference);

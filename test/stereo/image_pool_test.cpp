@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planes/mask_pool.h"
+#include "stereo/image_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -8,16 +8,16 @@ namespace {
 
 const cv::Size kSize(64, 4);
 
-TEST(MaskPool, LendsMemoryAgainOnceItIsReleased) {
-  MaskPool pool(2);
+TEST(ImagePool, LendsMemoryAgainOnceItIsReleased) {
+  ImagePool<cv::Mat1b> pool(2);
   cv::Mat1b mask = pool.take(kSize);
   const void* const memory = mask.data;
   mask.release();
   EXPECT_EQ(pool.take(kSize).data, memory);
 }
 
-TEST(MaskPool, NeverLendsWhatSomebodyHolds) {
-  MaskPool pool(2);
+TEST(ImagePool, NeverLendsWhatSomebodyHolds) {
+  ImagePool<cv::Mat1b> pool(2);
   cv::Mat1b first = pool.take(kSize);
   const cv::Mat1b copy = first;
   const void* const memory = first.data;
@@ -25,15 +25,15 @@ TEST(MaskPool, NeverLendsWhatSomebodyHolds) {
   EXPECT_NE(pool.take(kSize).data, memory) << "the copy shares it";
 }
 
-TEST(MaskPool, LendsMoreThanItKeeps) {
-  MaskPool pool(1);
+TEST(ImagePool, LendsMoreThanItKeeps) {
+  ImagePool<cv::Mat1b> pool(1);
   const cv::Mat1b first = pool.take(kSize), second = pool.take(kSize), third = pool.take(kSize);
   EXPECT_NE(first.data, second.data);
   EXPECT_NE(second.data, third.data);
 }
 
-TEST(MaskPool, FollowsTheSizeOfTheImage) {
-  MaskPool pool(1);
+TEST(ImagePool, FollowsTheSizeOfTheImage) {
+  ImagePool<cv::Mat1b> pool(1);
   pool.take(kSize);
   const cv::Size larger(128, 8);
   const void* const memory = pool.take(larger).data;
