@@ -73,9 +73,10 @@ SadRow SadMatcher::prepare(Stripe* stripe) const {
   // Of a window that begins or ends a buffer, a neighbour beyond is read, but not used.
   stripe->sums.create(1 + kSadBatch + window_ + columns, row.stride);
   stripe->sums = 0;
-  stripe->column_texture.create(1, columns);
+  stripe->column_texture.create(1, columns + 1);
   stripe->column_texture = 0;
   stripe->texture.create(1, columns_.end + kSadBatch);
+  stripe->texture = 0;
   row.window_sums = stripe->sums[1];
   row.column_sums = stripe->sums[1 + kSadBatch];
   row.texture = stripe->texture[0];
@@ -91,9 +92,12 @@ void SadMatcher::updateTexture(const SadRow& row, Stripe* stripe) const {
   int* columns = stripe->column_texture[0];
   for (int i = 0; i < stripe->column_texture.cols; ++i) columns[i] += std::abs(enters[i] - cap) - std::abs(leaves[i] - cap);
   int* texture = stripe->texture[0] + row.first;
-  texture[0] = 0;
-  for (int i = 0; i < window_; ++i) texture[0] += columns[i];
-  for (int i = 1; i < row.end - row.first; ++i) texture[i] = texture[i - 1] + (columns[i + window_ - 1] - columns[i - 1]);
+  int sum = 0;
+  for (int i = 0; i < window_; ++i) sum += columns[i];
+  for (int i = 0; i < columns_.size(); ++i) {
+    texture[i] = sum;
+    sum += columns[i + window_] - columns[i];
+  }
 }
 
 void SadMatcher::match(const cv::Range& rows, Stripe* stripe) {

@@ -4,7 +4,6 @@
 // The same source is compiled for each kind of vectors.
 
 #include <cstdint>
-#include <cstdlib>
 
 #include "stereo/sad_lanes.h"
 #include "stereo/sad_row.h"
@@ -90,7 +89,7 @@ inline std::int16_t interpolate(const SadRow& row, int u, int i, const SadBatch&
   const int entry = batch.entry[i], before = batch.before[i], after = batch.after[i];
   const int difference = (entry > 0) & (entry < row.disparities - 1) ? after - before : 0;
   const int divisor = after + before - 2 * batch.best[i] + (difference < 0 ? -difference : difference);
-  // Both fit into 24 bits, and their quotient into 8: the whole number is that of integer division, which has no vectors.
+  // Both fit into 24 bits, and their quotient into 8: its whole part is that of integer division, for which there are no vectors.
   const float offset = static_cast<float>(difference * 256) / static_cast<float>(divisor > 1 ? divisor : 1);
   const int disparity = ((row.largest_disparity - entry) * 256 + static_cast<int>(offset) + 15) >> 4;
   const bool matched = (entry >= 0) & (row.texture[u] >= row.texture_threshold);
