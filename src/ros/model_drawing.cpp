@@ -23,7 +23,7 @@ bool countsRadians(const core::LearnedModel& model) {
 Color colorOf(const core::LearnedModel& model) {
   if (!model.moved) return {0.7F, 0.7F, 0.7F};
   if (!isJoint(model)) return {1.0F, 0.6F, 0.1F};
-  const std::array<float, 3>& color = core::modelEntry(model.type).color;
+  const core::palette::Rgb& color = core::modelEntry(model.type).color;
   return {color[0], color[1], color[2]};
 }
 

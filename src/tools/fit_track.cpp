@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
@@ -11,18 +13,21 @@
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "geometry/degrees.h"
 #include "tools/pose_log.h"
+#include "tools/report/track_plot.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr char kUsage[] =
     "usage: fit_track FILE... [--sigma-position M] [--sigma-orientation RAD] [--positions-only] [--seed N]\n"
-    "                         [--config DIR]\n"
+    "                         [--config DIR] [--plot FILE.png]\n"
     "Learns how the front of each log moves and prints one CSV line per file. A log has one pose a line, in metres:\n"
-    "x y z [qx qy qz qw [width height]]. DIR/articulation.yaml has other settings than the defaults.\n";
+    "x y z [qx qy qz qw [width height]]. DIR/articulation.yaml has other settings than the defaults.\n"
+    "--plot draws one log: poses and axis from above and from the side, openings, and the types' probabilities.\n";
 
 struct Options {
   std::vector<std::string> files;
+  std::string plot;  ///< a picture; empty: none
   ArticulationConfig config;
 };
 
@@ -43,8 +48,12 @@ Options parseOptions(int argc, char** argv) {
   options.config = baseConfig(argc, argv);
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
+    const auto value = [&](const char* what) {
+      if (++i >= argc) throw ConfigError(word + " needs " + what);
+      return argv[i];
+    };
     const auto number = [&]() {
-      if (++i >= argc) throw ConfigError(word + " needs a number");
+      value("a number");
       char* end = nullptr;
       const double value = std::strtod(argv[i], &end);
       if (end == argv[i] || *end != '\0') throw ConfigError(word + " needs a number, not '" + argv[i] + "'");
@@ -60,6 +69,8 @@ Options parseOptions(int argc, char** argv) {
       options.config.seed = static_cast<int>(number());
     } else if (word == "--config") {
       ++i;  // see baseConfig()
+    } else if (word == "--plot") {
+      options.plot = value("a file's name");
     } else if (word.rfind("--", 0) == 0) {
       throw ConfigError("unknown option " + word);
     } else {
@@ -68,6 +79,10 @@ Options parseOptions(int argc, char** argv) {
   }
   checkConfig(options.config);
   if (options.files.empty()) throw ConfigError("no files given");
+  if (!options.plot.empty() && std::filesystem::path(options.plot).extension() != ".png")
+    throw ConfigError("--plot writes a picture, whose name ends with .png, not '" + options.plot + "'");
+  if (!options.plot.empty() && options.files.size() > 1)
+    throw ConfigError("--plot draws one log, but " + std::to_string(options.files.size()) + " were given");
   return options;
 }
 
@@ -92,7 +107,14 @@ void printModel(const std::string& file, const LearnedModel& model, double milli
               toDegrees(model.orientation_error), milliseconds);
 }
 
-void fitFile(const std::string& file, ArticulationConfig config) {
+/// The log without its folder is the heading.
+void plot(const std::string& file, const Track& track, const ArticulationConfig& config, const std::string& picture) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  if (!cv::imwrite(picture, plotTrack(track, config, name))) throw std::runtime_error(picture + " cannot be written");
+}
+
+void fitFile(const std::string& file, const Options& options) {
+  ArticulationConfig config = options.config;
   const PoseLog log = readPoseLog(file);
   if (!log.warning.empty()) std::fprintf(stderr, "fit_track: %s: %s\n", file.c_str(), log.warning.c_str());
   config.use_orientation = config.use_orientation && log.columns > 3;
@@ -101,6 +123,7 @@ void fitFile(const std::string& file, ArticulationConfig config) {
   const std::vector<LearnedModel> models = learner.process({log.track});
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   printModel(file, models.at(0), elapsed.count());
+  if (!options.plot.empty()) plot(file, log.track, config, options.plot);
 }
 
 int run(int argc, char** argv) {
@@ -115,9 +138,12 @@ int run(int argc, char** argv) {
   int status = 0;
   for (const std::string& file : options.files) {
     try {
-      fitFile(file, options.config);
+      fitFile(file, options);
     } catch (const PoseLogError& error) {
       std::printf("%s,error,,,,,,,,\n", file.c_str());
+      std::fprintf(stderr, "fit_track: %s\n", error.what());
+      status = 1;
+    } catch (const std::exception& error) {
       std::fprintf(stderr, "fit_track: %s\n", error.what());
       status = 1;
     }

@@ -15,6 +15,7 @@
 #include "tools/bag_transforms.h"
 #include "tools/frame_bag.h"
 #include "tools/progress.h"
+#include "tools/report/run_report.h"
 #include "tools/result_bag.h"
 #include "tools/run_program.h"
 #include "tools/run_summary.h"
@@ -26,10 +27,13 @@ constexpr char kUsage[] =
     "usage: process_bag IN.bag OUT.bag [options]\n"
     "  --config DIR        stereo.yaml, planes.yaml, ...; a missing file means that stage's defaults\n"
     "  --fixed-frame FRAME all poses in this frame, by the bag's tf (default: the left camera's optical frame)\n"
-    "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n";
+    "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n"
+    "  --report FOLDER     writes FOLDER/index.html too, a page that shows what was seen and learned\n";
 
 struct ProcessBagOptions : BagToolOptions {
   std::string fixed_frame;
+  std::string report;   ///< folder; empty: none
+  std::string command;  ///< as it was given
   bool camera_rectangles = false;
 };
 
@@ -38,7 +42,9 @@ std::optional<ProcessBagOptions> parseOptions(int argc, char** argv) {
   ProcessBagOptions options;
   const std::vector<Choice> own{
       {"fixed-frame", required_argument, [&options](const char* frame) { options.fixed_frame = frame; }},
+      {"report", required_argument, [&options](const char* folder) { options.report = folder; }},
       {"camera-rectangles", no_argument, [&options](const char*) { options.camera_rectangles = true; }}};
+  for (int i = 0; i < argc; ++i) options.command += (i > 0 ? " " : "") + std::string(argv[i]);
   if (!parseBagToolOptions(argc, argv, own, &options)) return std::nullopt;
   return options;
 }
@@ -67,6 +73,7 @@ class Run {
         progress_(input_.expectedFrames()),
         pipeline_(config_),
         matcher_(config_.stereo) {
+    if (!options.report.empty()) report_.emplace(options.report);
     if (options.fixed_frame.empty()) return;
     transforms_.emplace(input_.bag());
     if (!transforms_->leftOut().empty())
@@ -82,6 +89,15 @@ class Run {
         &skipped_);
     progress_.clear();
     if (output_) output_->close(header_, pipeline_.tracks());
+  }
+
+  /// `failure` is what ended the run before its time; empty if nothing did.
+  void writeReport(const std::string& failure) {
+    if (!report_ || summary_.frames() == 0) return;
+    const RunFacts facts{
+        options_.input,           options_.command, input_.input().kind, header_.frame_id, upwardsIn(options_.fixed_frame),
+        skipped_.text() + failure};
+    std::printf("report: %s\n", report_->write(facts, summary_).c_str());
   }
 
   const RunSummary& summary() const { return summary_; }
@@ -107,6 +123,7 @@ class Run {
                                             ? pipeline_.process(stamp, frame.left, frame.right, frame.camera, T_fixed_camera)
                                             : pipeline_.process(stamp, frame, T_fixed_camera);
     summary_.add(result);
+    if (report_) report_->add(stamp, result, T_fixed_camera);
     warnIfSwapped(frame, result.frame);
     if (!output_) output_.emplace(options_.output);
     const RectangleArray rectangles = options_.camera_rectangles
@@ -145,6 +162,7 @@ class Run {
   bool said_swapped_ = false;
   std::optional<BagTransforms> transforms_;
   std::optional<ResultBag> output_;
+  std::optional<RunReport> report_;
   RunSummary summary_;
   SkippedFrames skipped_;
   ClockJump clock_jump_;
@@ -163,6 +181,7 @@ int run(const ProcessBagOptions& options) {
   if (run.summary().frames() > 0)
     std::printf("%d frames of %s\n%s%s", run.summary().frames(), options.input.c_str(), run.summary().objects().c_str(),
                 run.summary().timing().c_str());
+  run.writeReport(failure);
   if (failure.empty() && run.summary().frames() == 0) failure = options.input + ": no frame could be processed";
   if (!failure.empty()) std::fprintf(stderr, "process_bag: %s\n", failure.c_str());
   return failure.empty() ? 0 : 1;

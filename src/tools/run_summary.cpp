@@ -3,21 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "articulation/models/model_registry.h"
 #include "geometry/degrees.h"
+#include "geometry/median.h"
+#include "tools/words.h"
 
 namespace cabinet_articulation {
 namespace {
-
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  char text[256];
-  std::snprintf(text, sizeof text, pattern, arguments...);
-  return text;
-}
 
 std::string vectorText(const Eigen::Vector3d& v) { return format("(%.3f %.3f %.3f)", v.x(), v.y(), v.z()); }
 
@@ -44,18 +38,17 @@ void RunSummary::add(const core::PipelineResult& result) {
 
 std::string RunSummary::objects() const {
   std::string text;
-  int still = 0;
-  for (const auto& [id, model] : models_) {
-    if (model.moved)
-      text += modelText(model);
-    else
-      ++still;
-  }
+  for (const auto& [id, model] : models_)
+    if (model.moved) text += modelText(model);
   if (text.empty()) text = "nothing moved\n";
-  return text + format("%d other rectangles did not move\n", still);
+  return text + format("%d other rectangles did not move\n", still());
 }
 
-std::string RunSummary::timing() const {
+int RunSummary::still() const {
+  return static_cast<int>(std::count_if(models_.begin(), models_.end(), [](const auto& entry) { return !entry.second.moved; }));
+}
+
+std::vector<StageSummary> RunSummary::stages() const {
   static constexpr std::pair<const char*, double core::StageTimes::*> kStages[] = {
       {"stereo", &core::StageTimes::stereo},
       {"planes", &core::StageTimes::planes},
@@ -63,23 +56,29 @@ std::string RunSummary::timing() const {
       {"tracking", &core::StageTimes::tracking},
       {"articulation", &core::StageTimes::articulation},
   };
-  std::string text = "stage          median    mean [ms]\n";
-  std::vector<double> totals(milliseconds_.size(), 0);
-  const auto line = [](const char* name, std::vector<double> values) {
+  std::vector<StageSummary> stages;
+  if (milliseconds_.empty()) return stages;
+  const auto add = [&stages](const char* name, const std::vector<double>& values) {
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / values.size();
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return format("%-12s %8.2f %7.2f\n", name, values[values.size() / 2], mean);
+    stages.push_back({name, core::median(values), mean, *std::max_element(values.begin(), values.end())});
   };
-  if (milliseconds_.empty()) return text;
+  std::vector<double> totals(milliseconds_.size(), 0);
   for (const auto& [name, stage] : kStages) {
     std::vector<double> values;
     for (size_t i = 0; i < milliseconds_.size(); ++i) {
       values.push_back(milliseconds_[i].*stage);
       totals[i] += values.back();
     }
-    text += line(name, values);
+    add(name, values);
   }
-  return text + line("all", totals);
+  add("all", totals);
+  return stages;
+}
+
+std::string RunSummary::timing() const {
+  std::string text = "stage          median    mean [ms]\n";
+  for (const StageSummary& stage : stages()) text += format("%-12s %8.2f %7.2f\n", stage.name, stage.median, stage.mean);
+  return text;
 }
 
 }  // namespace cabinet_articulation

@@ -10,6 +10,12 @@
 
 namespace cabinet_articulation {
 
+/// How long one stage took for a frame [ms].
+struct StageSummary {
+  const char* name;
+  double median, mean, longest;
+};
+
 /// What a run over a bag learned and how long it took, for people to read.
 class RunSummary {
  public:
@@ -19,6 +25,11 @@ class RunSummary {
 
   /// Objects that moved, each as it was last known, and the number of those that did not.
   std::string objects() const;
+
+  int still() const;  ///< objects that did not move
+
+  /// Every stage, and all together; empty if there were no frames.
+  std::vector<StageSummary> stages() const;
 
   /// Median and mean of every stage [ms].
   std::string timing() const;

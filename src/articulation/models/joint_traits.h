@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "cabinet_articulation/geometry/joint_type.h"
+#include "geometry/palette.h"
 
 namespace cabinet_articulation::core {
 
@@ -23,10 +23,10 @@ struct JointTraits {
   /// Its shape is that of one kind of joint. One that is not follows any smooth motion, and is asked only when no joint explains
   /// a motion.
   bool is_parametric;
-  bool turns;                  ///< about the axis through LearnedModel::axis_point
-  bool is_hinge;               ///< the axis lies in the front's plane, at one of its edges
-  UrdfJoint urdf;              ///< kNone: URDF has no such joint
-  std::array<float, 3> color;  ///< of its markers: red, green, blue from 0 to 1
+  bool turns;          ///< about the axis through LearnedModel::axis_point
+  bool is_hinge;       ///< the axis lies in the front's plane, at one of its edges
+  UrdfJoint urdf;      ///< kNone: URDF has no such joint
+  palette::Rgb color;  ///< of what is drawn of it
 };
 
 }  // namespace cabinet_articulation::core

@@ -17,7 +17,7 @@ class NonparametricModel : public ArticulationModel {
  public:
   static constexpr JointTraits kTraits{JointType::kNonparametric, "nonparametric", ConfigurationUnit::kMetre, /*moves*/ true,
                                        /*is_parametric*/ false,   /*turns*/ false, /*is_hinge*/ false,        UrdfJoint::kNone,
-                                       {0.8F, 0.4F, 1.0F}};
+                                       palette::kReddishPurple};
   static constexpr std::size_t kLeastPoses = 8;  ///< fewer are not fitted
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);

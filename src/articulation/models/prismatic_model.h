@@ -12,7 +12,7 @@ class PrismaticModel : public ArcModel {
  public:
   static constexpr JointTraits kTraits{JointType::kPrismatic,  "prismatic",     ConfigurationUnit::kMetre, /*moves*/ true,
                                        /*is_parametric*/ true, /*turns*/ false, /*is_hinge*/ false,        UrdfJoint::kPrismatic,
-                                       {0.2F, 0.6F, 1.0F}};
+                                       palette::kBlue};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);

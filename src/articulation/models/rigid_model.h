@@ -13,7 +13,7 @@ class RigidModel : public ArticulationModel {
  public:
   static constexpr JointTraits kTraits{JointType::kRigid,      "rigid",         ConfigurationUnit::kMetre, /*moves*/ false,
                                        /*is_parametric*/ true, /*turns*/ false, /*is_hinge*/ false,        UrdfJoint::kNone,
-                                       {0.7F, 0.7F, 0.7F}};
+                                       palette::kGrey};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);

@@ -12,7 +12,7 @@ class RotationalModel : public ArcModel {
  public:
   static constexpr JointTraits kTraits{JointType::kRotational, "rotational",   ConfigurationUnit::kRadian, /*moves*/ true,
                                        /*is_parametric*/ true, /*turns*/ true, /*is_hinge*/ true,          UrdfJoint::kRevolute,
-                                       {0.3F, 0.9F, 0.3F}};
+                                       palette::kBluishGreen};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);

@@ -19,7 +19,7 @@ class ScrewModel : public ArticulationModel {
                                        /*moves*/ true,
                                        /*is_parametric*/ true,
                                        /*turns*/ true,
-                                       /*is_hinge*/ false,     UrdfJoint::kNone, {0.9F, 0.6F, 0.2F}};
+                                       /*is_hinge*/ false,     UrdfJoint::kNone, palette::kSkyBlue};
   static Eigen::Isometry3d predictLearned(const LearnedModel& model, double q);
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
