@@ -41,7 +41,7 @@ void addOutline(const core::Rectangle& rectangle, Marker* lines) {
 void addJoint(const core::LearnedModel& model, const std_msgs::Header& header, visualization_msgs::MarkerArray* markers) {
   const int id = static_cast<int>(model.id);
   const auto axis = axisOf(model);
-  Marker arrow = marker(header, "axes", id, Marker::ARROW, colorOf(model));
+  Marker arrow = marker(header, "axes", id, Marker::ARROW, kAxisColor);
   arrow.points = {toPoint(axis.first), toPoint(axis.second)};
   arrow.scale.x = kAxisRadius;
   arrow.scale.y = 2 * kAxisRadius;
@@ -69,7 +69,7 @@ void addJoint(const core::LearnedModel& model, const std_msgs::Header& header, v
 void addMarkers(const std::vector<core::DetectedRectangle>& rectangles, const std_msgs::Header& header,
                 visualization_msgs::MarkerArray* markers) {
   for (size_t i = 0; i < rectangles.size(); ++i) {
-    Marker outline = marker(header, "rectangles", static_cast<int>(i), Marker::LINE_LIST, {1.0F, 0.9F, 0.3F});
+    Marker outline = marker(header, "rectangles", static_cast<int>(i), Marker::LINE_LIST, kRectangleColor);
     addOutline(rectangles[i].rectangle, &outline);
     markers->markers.push_back(outline);
   }

@@ -21,10 +21,9 @@ bool countsRadians(const core::LearnedModel& model) {
 }  // namespace
 
 Color colorOf(const core::LearnedModel& model) {
-  if (!model.moved) return {0.7F, 0.7F, 0.7F};
-  if (!isJoint(model)) return {1.0F, 0.6F, 0.1F};
-  const core::palette::Rgb& color = core::modelEntry(model.type).color;
-  return {color[0], color[1], color[2]};
+  if (!model.moved) return core::palette::kGrey;
+  if (!isJoint(model)) return core::palette::kOrange;
+  return core::modelEntry(model.type).color;
 }
 
 std::string labelOf(const core::LearnedModel& model) {

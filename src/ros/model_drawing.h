@@ -2,13 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/geometry/rectangle.h"
+#include "geometry/palette.h"
 
 namespace cabinet_articulation {
 
@@ -17,9 +17,13 @@ namespace cabinet_articulation {
  */
 
 /// Red, green, blue in 0..1.
-using Color = std::array<float, 3>;
+using Color = core::palette::Rgb;
 
-/// Grey: not enough motion yet; orange: no model describes it; blue: prismatic; green: rotational; violet: nonparametric.
+constexpr Color kRectangleColor = core::palette::kYellow;  ///< what one frame shows
+constexpr Color kAxisColor = core::palette::kVermilion;
+constexpr Color kWayColor{1, 1, 1};  ///< in images, from q = 0 to now
+
+/// Grey: not enough motion yet; orange: no model describes it; else that of the joint's type.
 Color colorOf(const core::LearnedModel& model);
 
 /// "3 rotational 98 %, 34 deg (0 to 87)"

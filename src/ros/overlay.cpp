@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/overlay.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "ros/joints.h"
 #include "ros/model_drawing.h"
+#include "ros/overlay_labels.h"
 
 namespace cabinet_articulation {
 namespace {
 
 constexpr double kNear = 0.1;  ///< [m] lines are cut off here
 constexpr int kShift = 4;      ///< sub-pixel bits of OpenCV's drawing
-constexpr double kFontScale = 0.45;
 
 cv::Scalar scalar(const Color& color, double brightness = 1) {
   return {255 * brightness * color[2], 255 * brightness * color[1], 255 * brightness * color[0]};
@@ -36,15 +38,11 @@ class Canvas {
     for (size_t i = 0; i < corners.size(); ++i) line(corners[i], corners[(i + 1) % corners.size()], color, thickness);
   }
 
-  /// Dark below bright, readable on any background; kept inside the image.
-  void text(const std::string& text, const Eigen::Vector3d& p, const cv::Scalar& color) {
-    if (!p.allFinite() || p.z() <= kNear) return;
-    const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kFontScale, 1, nullptr);
-    cv::Point at = pixel(p, 0) - cv::Point(size.width / 2, 0);
-    at.x = std::max(2, std::min(at.x, image_.cols - size.width - 2));
-    at.y = std::max(size.height + 2, std::min(at.y, image_.rows - 4));
-    cv::putText(image_, text, at, cv::FONT_HERSHEY_SIMPLEX, kFontScale, cv::Scalar::all(0), 3, cv::LINE_AA);
-    cv::putText(image_, text, at, cv::FONT_HERSHEY_SIMPLEX, kFontScale, color, 1, cv::LINE_AA);
+  /// Nothing if it lies behind the camera; else within the image, or at its border.
+  std::optional<cv::Point> place(const Eigen::Vector3d& p) const {
+    if (!p.allFinite() || p.z() <= kNear) return std::nullopt;
+    const cv::Point at = pixel(p, 0);
+    return cv::Point(std::max(0, std::min(at.x, image_.cols - 1)), std::max(0, std::min(at.y, image_.rows - 1)));
   }
 
  private:
@@ -65,9 +63,9 @@ void drawRange(const core::LearnedModel& model, Canvas* canvas) {
 /// The axis, and the way of the front's centre from q = 0 to now.
 void drawMotion(const core::LearnedModel& model, Canvas* canvas) {
   const auto axis = axisOf(model);
-  canvas->line(axis.first, axis.second, scalar({1.0F, 0.25F, 0.25F}), 2);
+  canvas->line(axis.first, axis.second, scalar(kAxisColor), 2);
   const std::vector<Eigen::Vector3d> way = wayOf(model, 0, model.q);
-  for (size_t i = 1; i < way.size(); ++i) canvas->line(way[i - 1], way[i], scalar({1.0F, 1.0F, 1.0F}), 2);
+  for (size_t i = 1; i < way.size(); ++i) canvas->line(way[i - 1], way[i], scalar(kWayColor), 2);
 }
 
 }  // namespace
@@ -75,16 +73,19 @@ void drawMotion(const core::LearnedModel& model, Canvas* canvas) {
 void drawOverlay(const core::StereoCamera& camera, const std::vector<core::DetectedRectangle>& rectangles,
                  const std::vector<core::LearnedModel>& models, cv::Mat3b* image) {
   Canvas canvas(camera, image);
-  for (const core::DetectedRectangle& detected : rectangles) canvas.outline(detected.rectangle, scalar({1.0F, 0.9F, 0.3F}), 1);
+  for (const core::DetectedRectangle& detected : rectangles) canvas.outline(detected.rectangle, scalar(kRectangleColor), 1);
   for (const core::LearnedModel& model : models)
     if (isJoint(model)) drawRange(model, &canvas);
+  std::vector<OverlayLabel> labels;
   for (const core::LearnedModel& model : models) {
     const core::Rectangle front = frontAt(model, model.q);
     canvas.outline(front, scalar(colorOf(model)), isJoint(model) ? 2 : 1);
     if (isJoint(model)) drawMotion(model, &canvas);
     const std::string label = isJoint(model) ? labelOf(model) : std::to_string(model.id);
-    canvas.text(label, front.center(), scalar(colorOf(model)));
+    const std::optional<cv::Point> at = canvas.place(front.center());
+    if (at) labels.push_back({label, *at, colorOf(model), gaugeOf(model)});
   }
+  drawLabels(std::move(labels), image);
 }
 
 }  // namespace cabinet_articulation

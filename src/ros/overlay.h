@@ -11,7 +11,8 @@
 namespace cabinet_articulation {
 
 /// Draws into the left camera's image (BGR): every rectangle of the frame, every model's front with its id, and for joints
-/// the axis, the predicted fronts over the range and the way from q = 0 to the opening now. ROS-free; rectangles and
+/// the axis, the predicted fronts over the range, the way from q = 0 to the opening now, and a label with gauges of the type's
+/// probability and of the opening. ROS-free; rectangles and
 /// models in the left optical frame. What lies behind the camera is cut off.
 void drawOverlay(const core::StereoCamera& camera, const std::vector<core::DetectedRectangle>& rectangles,
                  const std::vector<core::LearnedModel>& models, cv::Mat3b* image);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "ros/model_drawing.h"
 #include "support/models.h"
 
 namespace cabinet_articulation {
@@ -69,6 +70,20 @@ TEST(Markers, WayOfACurveIsDrawnAlongIt) {
   EXPECT_TRUE(fromMessage(way->points.back()).isApprox(garage.curve.back().translation(), 1e-9));
   EXPECT_TRUE(fromMessage(way->points[way->points.size() / 2]).isApprox(garage.predict(0.2).translation(), 1e-9));
   EXPECT_EQ(find(markers, "labels", 6)->text, "6 nonparametric 98 %, 20 cm (0 to 40)");
+}
+
+TEST(Markers, HaveTheColoursOfTheOverlay) {
+  const auto colorOfMarker = [](const Marker& marker) { return Color{marker.color.r, marker.color.g, marker.color.b}; };
+  for (const core::LearnedModel& model : {test::doorModel(), test::drawerModel(), test::garageModel()}) {
+    const MarkerArray markers = markersOf({model});
+    const int id = static_cast<int>(model.id);
+    for (const char* ns : {"fronts", "ways", "sweep", "labels"})
+      EXPECT_EQ(colorOfMarker(*find(markers, ns, id)), colorOf(model)) << ns;
+    EXPECT_EQ(colorOfMarker(*find(markers, "axes", id)), kAxisColor);
+  }
+  MarkerArray rectangles;
+  addMarkers({core::DetectedRectangle()}, mapHeader(), &rectangles);
+  EXPECT_EQ(colorOfMarker(rectangles.markers.at(0)), kRectangleColor);
 }
 
 TEST(Markers, WhatIsNoJointHasOnlyAFront) {

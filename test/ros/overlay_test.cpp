@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "articulation/models/model_registry.h"
 #include "ros/model_drawing.h"
+#include "ros/overlay_labels.h"
 #include "support/models.h"
 
 namespace cabinet_articulation {
@@ -66,6 +69,84 @@ TEST(Overlay, LabelTellsWhatIsKnown) {
   EXPECT_EQ(labelOf(test::drawerModel()), "4 prismatic 99 %, 20 cm (0 to 30)");
   EXPECT_EQ(labelOf(test::restingModel()), "1 no motion yet");
   EXPECT_EQ(labelOf(test::unexplainedModel()), "5 moved, no joint fits");
+}
+
+/// Pixels of exactly this colour.
+int count(const cv::Mat3b& image, const Color& color) {
+  const cv::Vec3b bgr(cv::saturate_cast<std::uint8_t>(255 * color[2]), cv::saturate_cast<std::uint8_t>(255 * color[1]),
+                      cv::saturate_cast<std::uint8_t>(255 * color[0]));
+  cv::Mat1b same;
+  cv::inRange(image, bgr, bgr, same);
+  return cv::countNonZero(same);
+}
+
+TEST(Overlay, GaugesGrowWithProbabilityAndOpening) {
+  core::LearnedModel drawer = test::drawerModel();
+  const auto gaugePixels = [](const core::LearnedModel& model) {
+    cv::Mat3b image(kCamera.height, kCamera.width, cv::Vec3b(0, 0, 0));
+    drawLabels({{labelOf(model), {160, 120}, colorOf(model), gaugeOf(model)}}, &image);
+    return count(image, colorOf(model));
+  };
+  const int open = gaugePixels(drawer);
+  drawer.q = 0.1;
+  const int ajar = gaugePixels(drawer);
+  drawer.q = 0;
+  drawer.probabilities[1] = 0.5;
+  const int doubtful = gaugePixels(drawer);
+  EXPECT_LT(ajar, open - 40);
+  EXPECT_LT(doubtful, ajar - 40);
+  EXPECT_FALSE(gaugeOf(test::restingModel()));
+  drawer.q = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(gaugeOf(drawer)->opening, 0);
+}
+
+TEST(Overlay, LabelsAreWhiteOnDarkWhateverIsBelow) {
+  cv::Mat3b image(kCamera.height, kCamera.width, cv::Vec3b::all(255));
+  drawLabels({{"12", {160, 120}, colorOf(test::restingModel()), {}}}, &image);
+  EXPECT_LT(image(116, 168)[0], 120) << "the box";
+  EXPECT_GT(cv::countNonZero(cv::Mat1b(image.reshape(1) < 100)), 200);
+}
+
+TEST(Overlay, TextThatIsTooLongIsCutOff) {
+  cv::Mat3b image(kCamera.height, kCamera.width, cv::Vec3b::all(255));
+  drawLabels({{std::string(1000000, 'w'), {160, 120}, colorOf(test::restingModel()), {}}}, &image);
+  EXPECT_LT(image(116, 20)[0], 120) << "the box is as wide as the image";
+  cv::Mat3b tiny(3, 3, cv::Vec3b::all(255));
+  drawLabels({{"12", {1, 1}, colorOf(test::restingModel()), {}}}, &tiny);
+  EXPECT_EQ(count(tiny, {1, 1, 1}), 9) << "there is no room";
+}
+
+TEST(Overlay, ManyFrontsAtOnePlaceAreDrawnWithinTheImage) {
+  std::vector<core::LearnedModel> models;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    models.push_back(i % 3 == 0 ? test::doorModel() : test::restingModel());
+    models.back().id = i + 1;
+    models.back().name = std::string(i, 'x');
+  }
+  EXPECT_EQ(draw({}, models).size(), cv::Size(320, 240));
+}
+
+/// How dichromats see it: F. Vienot, H. Brettel, J. Mollon, "Digital video colourmaps for checking the legibility of displays by
+/// dichromats", 1999; matrices for linear sRGB.
+Eigen::Vector3d seenBy(const Eigen::Matrix3d& vision, const Color& color) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  const auto shown = [](double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; };
+  const Eigen::Vector3d seen = vision * Eigen::Vector3d(linear(color[0]), linear(color[1]), linear(color[2]));
+  return seen.cwiseMax(0).cwiseMin(1).unaryExpr(shown);
+}
+
+TEST(ModelDrawing, ColoursAreToldApartWithAnyColourVision) {
+  Eigen::Matrix3d protanope, deuteranope;
+  protanope << 0.11238, 0.88762, 0, 0.11238, 0.88762, 0, 0.00401, -0.00401, 1;
+  deuteranope << 0.29275, 0.70725, 0, 0.29275, 0.70725, 0, -0.02234, 0.02234, 1;
+  std::vector<Color> colors{kRectangleColor, kAxisColor, colorOf(test::restingModel()), colorOf(test::unexplainedModel())};
+  for (const core::ModelEntry& entry : core::modelRegistry())
+    if (entry.moves) colors.push_back(entry.color);
+  constexpr double kJustTold = 0.14;  // of 0 to 1 in each channel; the colours that were drawn before came as near as 0.05
+  for (const Eigen::Matrix3d& vision : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), protanope, deuteranope})
+    for (std::size_t i = 0; i < colors.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        EXPECT_GT((seenBy(vision, colors[i]) - seenBy(vision, colors[k])).norm(), kJustTold) << i << ' ' << k;
 }
 
 TEST(Overlay, CutsOffWhatIsBehindTheCameraOrNotFinite) {
