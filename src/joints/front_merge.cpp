@@ -10,6 +10,7 @@
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/rectangle.h"
+#include "joints/front_names.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -68,7 +69,35 @@ bool isMuchPoorer(const KnownFront& known, const KnownFront& file) {
   return 2 * std::min(known.model.observations, kKeptObservations) < std::min(file.model.observations, kKeptObservations);
 }
 
-void setId(std::uint32_t id, KnownFront* front) { front->model.id = front->track.id = id; }
+/// "front_5" is no name for another front than 5.
+void setName(const std::string& name, KnownFront* front) {
+  const std::optional<std::uint32_t> owner = ownerOfDefaultName(name);
+  front->model.name = !owner || *owner == front->model.id ? name : "";
+}
+
+void setId(std::uint32_t id, KnownFront* front) {
+  front->model.id = front->track.id = id;
+  setName(front->model.name, front);
+}
+
+/// Gives other names to fronts whose names are taken by those that `come_first`, or by fronts before them.
+std::vector<NameChange> makeNamesUnique(std::vector<KnownFront>* fronts, const std::set<std::uint32_t>& come_first) {
+  std::set<std::string> taken, all;
+  for (const KnownFront& front : *fronts) {
+    all.insert(front.model.name);
+    if (come_first.count(front.model.id) > 0) taken.insert(front.model.name);
+  }
+  const auto is_free = [&](const std::string& name) { return all.count(name) == 0 && !ownerOfDefaultName(name); };
+  std::vector<NameChange> changes;
+  for (KnownFront& front : *fronts) {
+    const std::string name = front.model.name;
+    if (name.empty() || come_first.count(front.model.id) > 0 || taken.insert(name).second) continue;
+    front.model.name = proposeName(name, front.model.id, is_free);
+    all.insert(front.model.name);
+    changes.push_back({front.model.id, name, front.model.name});
+  }
+  return changes;
+}
 
 /// For every known front the file's one of the same place, or -1; the nearest pairs first, and those of one id before.
 std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<KnownFront>& file) {
@@ -126,15 +155,21 @@ MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> 
   merged.known_changes = giveFreeIds(&known, &taken);
   const std::vector<int> partner = pairUp(known, file);
   std::vector<bool> paired(file.size(), false);
+  std::set<std::uint32_t> named_now;
+  for (const KnownFront& front : known)
+    if (!front.model.name.empty()) named_now.insert(front.model.id);
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (partner[i] < 0) continue;
     KnownFront& other = file[static_cast<std::size_t>(partner[i])];
     paired[static_cast<std::size_t>(partner[i])] = true;
-    if (!isMuchPoorer(known[i], other)) continue;
     const std::uint32_t id = known[i].model.id;
-    known[i] = std::move(other);
-    setId(id, &known[i]);
-    ++merged.from_file;
+    const std::string name = known[i].model.name.empty() ? other.model.name : known[i].model.name;
+    if (isMuchPoorer(known[i], other)) {
+      known[i] = std::move(other);
+      setId(id, &known[i]);
+      ++merged.from_file;
+    }
+    setName(name, &known[i]);
   }
   std::vector<KnownFront> others;
   for (std::size_t j = 0; j < file.size(); ++j)
@@ -145,6 +180,7 @@ MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> 
   std::move(others.begin(), others.end(), std::back_inserter(merged.fronts));
   std::sort(merged.fronts.begin(), merged.fronts.end(),
             [](const KnownFront& a, const KnownFront& b) { return a.model.id < b.model.id; });
+  merged.renamed = makeNamesUnique(&merged.fronts, named_now);
   return merged;
 }
 

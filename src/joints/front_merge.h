@@ -25,12 +25,14 @@ struct MergedFronts {
   std::size_t from_file = 0;            ///< so many of them are as the file has them
   std::vector<IdChange> changes;        ///< of the file's fronts
   std::vector<IdChange> known_changes;  ///< of those known now, whose ids a file cannot hold
+  std::vector<NameChange> renamed;      ///< fronts whose names of the file others have now
 };
 
 /// Joins both by place. A front that is known now replaces the file's one of the same place; but the file's stays, with the id
 /// that the front has now, if it is much better known: learned from more than twice as many observations (counted up to
 /// kKeptObservations), or no joint that was given up as the other. What goes on from the file's front itself, as its history
-/// tells, always replaces it. Fronts that only the file has stay; `removed` are the places of those that do not.
+/// tells, always replaces it. Fronts that only the file has stay; `removed` are the places of those that do not. A front without
+/// a name keeps the one that the file has for its place.
 MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed);
 
 }  // namespace cabinet_articulation::core

@@ -4,13 +4,14 @@
 #include <sstream>
 
 #include "articulation/models/model_registry.h"
+#include "joints/front_names.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kRangeMargin = 0.01;  ///< [m or rad] beyond the range is still within its noise
 
-std::string nameOf(const LearnedModel& model) { return "front " + std::to_string(model.id); }
+std::string inWords(const LearnedModel& model) { return "front " + std::to_string(model.id); }
 
 }  // namespace
 
@@ -20,14 +21,16 @@ bool isGivenUp(const LearnedModel& model) { return model.doubt >= 1; }
 
 bool wasJoint(const LearnedModel& model) { return model.moved && model.explained && modelEntry(model.type).moves; }
 
+std::string nameOf(const LearnedModel& model) { return model.name.empty() ? defaultName(model.id) : model.name; }
+
 void requireJoint(const LearnedModel& model) {
   if (wasJoint(model) && isGivenUp(model))
-    throw ModelError(nameOf(model) + " was taken for a " + modelName(model.type) +
+    throw ModelError(inWords(model) + " was taken for a " + modelName(model.type) +
                      " joint, but as many observations speak against that as for it; it is none until it is seen to move again");
   if (!model.moved)
-    throw ModelError(nameOf(model) + " has not moved enough yet to tell how it moves (" + std::to_string(model.observations) +
+    throw ModelError(inWords(model) + " has not moved enough yet to tell how it moves (" + std::to_string(model.observations) +
                      " observations)");
-  if (!isJoint(model)) throw ModelError(nameOf(model) + " moved, but no joint type describes how");
+  if (!isJoint(model)) throw ModelError(inWords(model) + " moved, but no joint type describes how");
 }
 
 Eigen::Isometry3d jointBase(const LearnedModel& model) {
@@ -50,7 +53,7 @@ std::string outsideSeenRange(const LearnedModel& model, double q_lowest, double 
   if (q_lowest >= model.q_min - kRangeMargin && q_highest <= model.q_max + kRangeMargin) return "";
   std::ostringstream text;
   text.precision(3);
-  text << std::fixed << nameOf(model) << " was seen from q = " << model.q_min << " to " << model.q_max
+  text << std::fixed << inWords(model) << " was seen from q = " << model.q_min << " to " << model.q_max
        << (modelEntry(model.type).unit == ConfigurationUnit::kRadian ? " rad" : " m") << "; beyond that this is a guess";
   return text.str();
 }

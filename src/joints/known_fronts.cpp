@@ -2,9 +2,13 @@
 #include "cabinet_articulation/joints/known_fronts.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
+#include "joints/front_names.h"
 #include "tracking/history.h"
 
 namespace cabinet_articulation::core {
@@ -40,6 +44,7 @@ void KnownFronts::update(const std::vector<LearnedModel>& models) {
   std::map<std::uint32_t, LearnedModel> seen;
   for (const LearnedModel& model : models) seen[model.id] = model;
   live_.swap(seen);
+  for (auto& [id, model] : live_) model.name = nameGiven(id);
   for (const auto& [id, before] : seen) {
     const auto now = live_.find(id);
     const bool still_told = now != live_.end() && isWorthKeeping(now->second);
@@ -71,8 +76,48 @@ void KnownFronts::remember(KnownFront front) {
   remembered_[id] = std::move(front);
   if (remembered_.size() <= kMostRemembered) return;
   remembered_.erase(std::min_element(remembered_.begin(), remembered_.end(), [](const auto& a, const auto& b) {
-    return a.second.model.observations < b.second.model.observations;
+    const auto worth = [](const LearnedModel& model) { return std::make_tuple(!model.name.empty(), model.observations); };
+    return worth(a.second.model) < worth(b.second.model);
   }));
+}
+
+std::string KnownFronts::nameGiven(std::uint32_t id) const {
+  const auto name = names_.find(id);
+  return name == names_.end() ? "" : name->second;
+}
+
+void KnownFronts::giveNames(std::vector<LearnedModel>* models) const {
+  for (LearnedModel& model : *models) model.name = nameGiven(model.id);
+}
+
+std::string KnownFronts::whyNotNamed(std::uint32_t id, const std::string& name, const std::string& reserved) const {
+  const std::string unfit = whyUnfit(name);
+  if (!unfit.empty()) return unfit;
+  const std::optional<std::uint32_t> owner = ownerOfDefaultName(name);
+  if (owner && *owner != id) return "'" + name + "' is what front " + std::to_string(*owner) + " is called without a name";
+  if (name == reserved) return "'" + name + "' would be the name of the frame that all models are in";
+  for (const auto& [other, taken] : names_)
+    if (other != id && taken == name && isKnown(other)) return "'" + name + "' is the name of front " + std::to_string(other);
+  return "";
+}
+
+void KnownFronts::dropNamesOfUnknown(const std::string& name) {
+  const bool too_many = names_.size() > kMostNames;
+  for (auto entry = names_.begin(); entry != names_.end();)
+    entry = !isKnown(entry->first) && (too_many || entry->second == name) ? names_.erase(entry) : std::next(entry);
+}
+
+void KnownFronts::setName(std::uint32_t id, const std::string& name, const std::string& reserved) {
+  at(id);
+  const std::string why_not = whyNotNamed(id, name, reserved);
+  const auto is_free = [&](const std::string& other) { return whyNotNamed(id, other, reserved).empty(); };
+  if (!why_not.empty()) throw NameError(why_not, proposeName(name, id, is_free));
+  dropNamesOfUnknown(name);
+  names_[id] = name;
+  const auto live = live_.find(id);
+  if (live != live_.end()) live->second.name = name;
+  const auto known = remembered_.find(id);
+  if (known != remembered_.end()) known->second.model.name = name;
 }
 
 const LearnedModel& KnownFronts::at(std::uint32_t id) const {
@@ -120,6 +165,9 @@ void KnownFronts::replace(std::vector<KnownFront> fronts) {
   ended_.clear();
   live_.clear();
   remembered_.clear();
+  names_.clear();
+  for (const KnownFront& front : fronts)
+    if (!front.model.name.empty()) names_[front.model.id] = front.model.name;
   for (KnownFront& front : fronts) remember(std::move(front));
 }
 
@@ -127,6 +175,7 @@ LearnedModel KnownFronts::forget(std::uint32_t id) {
   const LearnedModel model = at(id);
   live_.erase(id);
   remembered_.erase(id);
+  names_.erase(id);
   return model;
 }
 

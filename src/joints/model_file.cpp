@@ -61,6 +61,9 @@ std::string SavedModels::inWords(const std::string& file) const {
   if (!changed.empty()) text += "; " + changed;
   for (const IdChange& change : known_changes)
     text += "; front " + std::to_string(change.from) + " is front " + std::to_string(change.to) + " there";
+  for (const NameChange& change : renamed)
+    text += "; front " + std::to_string(change.id) + " of the file is called '" + change.to + "' there, for another is '" +
+            change.from + "' now";
   if (!kept.empty()) text += "; " + kept;
   return text;
 }
@@ -83,6 +86,7 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
     saved.fronts = merged.fronts.size();
     saved.from_file = merged.from_file;
     saved.known_changes = merged.known_changes;
+    saved.renamed = merged.renamed;
     if (found.models) saved.changes = found.models->changes;
     saved.changes.insert(saved.changes.end(), merged.changes.begin(), merged.changes.end());
     const std::string text = toText({models.frame, std::move(merged.fronts)});

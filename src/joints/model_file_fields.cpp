@@ -8,6 +8,7 @@
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
+#include "joints/front_names.h"
 #include "joints/yaml_fields.h"
 
 namespace cabinet_articulation::core {
@@ -31,6 +32,16 @@ double checkedStamp(double value, const std::string& field) {
 
 /// What older files have among the params, where nobody would keep it up to date.
 bool isField(const std::string& param) { return param == "support" || param == "doubt"; }
+
+/// Older files have none.
+std::string nameFromYaml(const YAML::Node& node, std::uint32_t id) {
+  if (!node) return "";
+  if (!node.IsScalar()) throw std::runtime_error("'name' is no name");
+  const std::string name = node.Scalar(), unfit = whyUnfit(name);
+  if (!unfit.empty()) throw std::runtime_error("'name': " + unfit);
+  if (ownerOfDefaultName(name).value_or(id) != id) throw std::runtime_error("'name' is that of another front, " + name);
+  return name;
+}
 
 JointType typeFromName(const YAML::Node& node) {
   for (const ModelEntry& entry : modelRegistry())
@@ -141,6 +152,7 @@ YAML::Node toYaml(const KnownFront& front) {
   const LearnedModel& model = front.model;
   YAML::Node node;
   node["id"] = model.id;
+  if (!model.name.empty()) node["name"] = model.name;
   node["type"] = modelName(model.type);
   node["stamp"] = toText(stampToWrite(model.stamp));
   node["support"] = toText(model.support);
@@ -175,6 +187,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   KnownFront front;
   LearnedModel& model = front.model;
   model.id = count(node["id"], "id", kLargestId);
+  model.name = nameFromYaml(node["name"], model.id);
   model.moved = model.explained = true;
   model.stamp = checkedStamp(number(node["stamp"], "stamp"), "stamp");
   readJoint(node, &model);

@@ -51,10 +51,13 @@ ModelFile modelsFromText(const std::string& text) {
   ModelFile models;
   models.frame = root["frame"].Scalar();
   std::set<std::uint32_t> ids;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < root["fronts"].size(); ++i) {
     try {
       models.fronts.push_back(frontFromYaml(root["fronts"][i]));
-      if (!ids.insert(models.fronts.back().model.id).second) throw std::runtime_error("its id is there twice");
+      const LearnedModel& model = models.fronts.back().model;
+      if (!ids.insert(model.id).second) throw std::runtime_error("its id is there twice");
+      if (!model.name.empty() && !names.insert(model.name).second) throw std::runtime_error("its name is there twice");
     } catch (const std::exception& error) {
       throw std::runtime_error("front " + std::to_string(i + 1) + ": " + error.what());
     }

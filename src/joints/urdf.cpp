@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "articulation/models/model_registry.h"
+#include "joints/furniture.h"
 #include "joints/urdf_document.h"
 
 namespace cabinet_articulation::core {
@@ -17,6 +18,7 @@ constexpr double kDensity = 700;     // [kg/m^3] wood
 constexpr double kEffort = 100;      // [N or Nm]
 constexpr double kVelocity = 1;      // [m/s or rad/s]
 constexpr char kMaterial[] = "wood";
+constexpr char kFixed[] = "-fixed";    // no front has a name with a hyphen
 constexpr double kLeastLength = 0.01;  // [m] of a panel's side, for a positive inertia
 
 urdf::Pose toPose(const Eigen::Isometry3d& pose) {
@@ -74,6 +76,14 @@ void requireName(const std::string& name, const std::string& what) {
   }
 }
 
+Eigen::Isometry3d closedPose(const LearnedModel& model) { return model.predict(closedConfiguration(model)); }
+
+/// A link that joints hang on.
+struct Body {
+  std::string link;
+  Eigen::Isometry3d T_frame_link;
+};
+
 class Description {
  public:
   Description(const std::string& frame, const std::string& prefix) : prefix_(prefix) {
@@ -86,15 +96,35 @@ class Description {
     frame_ = frame;
   }
 
-  void add(const LearnedModel& model) {
-    const std::string name = prefix_ + "_" + std::to_string(model.id);
+  /// A link that joints hang on, at the middle of these closed fronts. The first lends its name and its axes.
+  Body addBody(const std::vector<LearnedModel>& fronts) {
+    const std::string name = nameFor(fronts.front()) + "_body";
+    Eigen::Isometry3d T_frame_body = closedPose(fronts.front());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const LearnedModel& front : fronts) sum += closedPose(front).translation();
+    T_frame_body.translation() = sum / static_cast<double>(fronts.size());
+    addLink(name);
+    connect(name + kFixed, frame_, name, T_frame_body);
+    return {name, T_frame_body};
+  }
+
+  /// What joints hang on that share no body.
+  Body room() const { return {frame_, Eigen::Isometry3d::Identity()}; }
+
+  void add(const LearnedModel& model, const Body& body) {
+    requireName(nameOf(model), "the name of front " + std::to_string(model.id));
+    const std::string name = nameFor(model);
     const Eigen::Isometry3d T_frame_base = jointBase(model);
     addLink(name + "_base");
     addLink(name + "_leaf");
     addPanel(addLink(name + "_front"), model);
-    connect(name + "_mount", frame_, name + "_base", T_frame_base);
-    connect(name + "_panel", name + "_leaf", name + "_front", T_frame_base.inverse() * model.origin);
-    const urdf::JointSharedPtr joint = connect(name + "_joint", name + "_base", name + "_leaf", Eigen::Isometry3d::Identity());
+    connect(name + "_base" + kFixed, body.link, name + "_base", body.T_frame_link.inverse() * T_frame_base);
+    connect(name + "_front" + kFixed, name + "_leaf", name + "_front", T_frame_base.inverse() * model.origin);
+    if (!model.name.empty()) {
+      addLink(prefix_ + "_" + model.name);
+      connect(name + "_name" + kFixed, name + "_front", prefix_ + "_" + model.name, Eigen::Isometry3d::Identity());
+    }
+    const urdf::JointSharedPtr joint = connect(nameOf(model), name + "_base", name + "_leaf", Eigen::Isometry3d::Identity());
     const bool turns = modelEntry(model.type).urdf == UrdfJoint::kRevolute;
     joint->type = turns ? urdf::Joint::REVOLUTE : urdf::Joint::PRISMATIC;
     joint->axis = {0, 0, 1};
@@ -113,6 +143,8 @@ class Description {
   }
 
  private:
+  std::string nameFor(const LearnedModel& model) const { return prefix_ + "_" + std::to_string(model.id); }
+
   /// Throws ModelError for a name that is there already: such a description has no root, or two.
   urdf::LinkSharedPtr addLink(const std::string& name) {
     if (description_.links_.count(name) > 0)
@@ -125,6 +157,8 @@ class Description {
 
   urdf::JointSharedPtr connect(const std::string& name, const std::string& parent, const std::string& child,
                                const Eigen::Isometry3d& T_parent_child) {
+    if (description_.joints_.count(name) > 0)
+      throw ModelError("there are two joints '" + name + "'; give each front a name of its own");
     const auto joint = std::make_shared<urdf::Joint>();
     joint->name = name;
     joint->type = urdf::Joint::FIXED;
@@ -166,7 +200,12 @@ std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& f
     if (!hasUrdf(model))
       throw ModelError("front " + std::to_string(model.id) + " is " + modelName(model.type) +
                        ", and URDF has only prismatic and rotational joints");
-    description.add(model);
+  }
+  for (const std::vector<std::size_t>& piece : piecesOfFurniture(models)) {
+    std::vector<LearnedModel> fronts;
+    for (const std::size_t i : piece) fronts.push_back(models[i]);
+    const Body body = fronts.size() > 1 ? description.addBody(fronts) : description.room();
+    for (const LearnedModel& front : fronts) description.add(front, body);
   }
   return description.text();
 }

@@ -53,7 +53,7 @@ class ArticulationStage : public StageNodelet {
     joint_states_ = advertise<sensor_msgs::JointState>("joint_states", [this](const auto& subscriber) {
       std::string frame_id;
       const std::vector<core::LearnedModel> known = store_->jointModels(&frame_id);
-      const sensor_msgs::JointState left = lastJointStates(known, frame_id, prefix_);
+      const sensor_msgs::JointState left = lastJointStates(known, frame_id);
       if (!left.name.empty()) subscriber.publish(left);
     });
   }
@@ -137,11 +137,11 @@ class ArticulationStage : public StageNodelet {
   }
 
   void learn(const std_msgs::Header& header) {
-    const std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
+    std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
     health().note("models", static_cast<double>(models.size()));
     health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
-    store_->update(models);
-    sensor_msgs::JointState joint_states = jointStates(models, header, prefix_);
+    store_->update(&models);
+    sensor_msgs::JointState joint_states = jointStates(models, header);
     if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
     broadcast(models, header);
     publish(models_, toMessage(models, header));

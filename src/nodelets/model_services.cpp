@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "cabinet_articulation/geometry/limits.h"
@@ -48,6 +49,9 @@ void ModelServices::advertise(const std::string& name,
         (this->*answer)(request, &good);
         response = std::move(good);
         response.success = true;
+      } catch (const core::NameError& refusal) {
+        response.message = refusal.what();
+        if constexpr (std::is_same_v<Service, SetName>) response.proposal = refusal.proposal();
       } catch (const std::runtime_error& refusal) {
         response.message = refusal.what();
       } catch (const std::invalid_argument& refusal) {
@@ -70,6 +74,7 @@ ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig&
   advertise<SaveModels>("save_models", &ModelServices::saveModels);
   advertise<LoadModels>("load_models", &ModelServices::loadModels);
   advertise<ExportUrdf>("export_urdf", &ModelServices::exportUrdf);
+  advertise<SetName>("set_name", &ModelServices::setName);
   advertise<std_srvs::Trigger>("reset", &ModelServices::reset);
 }
 
@@ -162,6 +167,10 @@ void ModelServices::reset(const std_srvs::Trigger::Request&, std_srvs::Trigger::
 
 void ModelServices::forget(const Forget::Request& request, Forget::Response* response) {
   response->message = store_.forget(request.id);
+}
+
+void ModelServices::setName(const SetName::Request& request, SetName::Response* response) {
+  response->message = store_.setName(request.id, request.name);
 }
 
 std::string ModelServices::fileOr(const std::string& requested) const {

@@ -9,6 +9,7 @@
 #include <cabinet_articulation/LoadModels.h>
 #include <cabinet_articulation/Predict.h>
 #include <cabinet_articulation/SaveModels.h>
+#include <cabinet_articulation/SetName.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
@@ -50,6 +51,7 @@ class ModelServices {
   void loadModels(const LoadModels::Request& request, LoadModels::Response* response);
   void exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response);
   void forget(const Forget::Request& request, Forget::Response* response);
+  void setName(const SetName::Request& request, SetName::Response* response);
   void reset(const std_srvs::Trigger::Request& request, std_srvs::Trigger::Response* response);
   std::string fileOr(const std::string& requested) const;
 

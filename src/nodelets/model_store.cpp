@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cabinet_articulation/ros/conversions.h"
+#include "ros/joints.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -118,6 +119,16 @@ void ModelStore::reset() {
   restart({frame_id_, {}});
 }
 
+std::string ModelStore::setName(std::uint32_t id, const std::string& name) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const std::string prefix = jointPrefix(nh_.getNamespace()) + "_";
+  known_.setName(id, name, frame_id_.rfind(prefix, 0) == 0 ? frame_id_.substr(prefix.size()) : "");
+  const std::string text = "front " + std::to_string(id) + " is called '" + name + "' now";
+  const std::vector<core::LearnedModel> kept = known_.jointModels();
+  const bool is_kept = std::any_of(kept.begin(), kept.end(), [id](const auto& model) { return model.id == id; });
+  return text + (is_kept ? "" : "; it is no joint yet, and only joints are saved and remembered");
+}
+
 GenerationWatch::Verdict ModelStore::judge(const TrackArray& tracks) {
   std::lock_guard<std::mutex> lock(mutex_);
   const GenerationWatch::Verdict verdict =
@@ -149,9 +160,10 @@ std::size_t ModelStore::follow(std::vector<core::TrackUpdate> updates) {
   return known_.follow(std::move(updates));
 }
 
-void ModelStore::update(const std::vector<core::LearnedModel>& models) {
+void ModelStore::update(std::vector<core::LearnedModel>* models) {
   std::lock_guard<std::mutex> lock(mutex_);
-  known_.update(models);
+  known_.update(*models);
+  known_.giveNames(models);
 }
 
 core::LearnedModel ModelStore::modelOf(std::uint32_t id, std::string* frame_id) const {

@@ -51,6 +51,10 @@ class ModelStore {
   std::string forget(std::uint32_t id);
   void reset();
 
+  /// Names a front, and says what it is called now. Throws core::ModelError for an id nobody knows, core::NameError for a name
+  /// that cannot be given.
+  std::string setName(std::uint32_t id, const std::string& name);
+
   /// To be held while tracks are learned from, from judge() to update(): so a reset comes between two frames.
   std::mutex& learning() { return learning_; }
 
@@ -69,8 +73,8 @@ class ModelStore {
 
   const std::vector<core::Track>& tracks() const { return known_.tracks(); }
 
-  /// The models of these tracks.
-  void update(const std::vector<core::LearnedModel>& models);
+  /// The models of these tracks; each is given the name of its front.
+  void update(std::vector<core::LearnedModel>* models);
 
   /// Time was set back: joints stay known, as if they had been saved and loaded again; all else is forgotten. To be called
   /// with learning() held.

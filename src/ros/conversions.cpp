@@ -9,6 +9,7 @@
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "joints/front_names.h"
 #include "ros/from_messages.h"
 
 namespace cabinet_articulation {
@@ -26,6 +27,8 @@ void requireSane(const Rectangle& message) {
 
 /// The closed position and what follows from it may be unknown, NaN; all else must be numbers.
 void requireSane(const ArticulationModel& message) {
+  const std::string unfit = message.name.empty() ? "" : core::whyUnfit(message.name);
+  if (!unfit.empty()) throw std::invalid_argument(unfit);
   core::requireSideOrUnknown("width", message.width);
   core::requireSideOrUnknown("height", message.height);
   core::requireWithin("q", message.q, core::limits::kConfiguration);

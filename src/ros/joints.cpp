@@ -22,8 +22,8 @@ geometry_msgs::TransformStamped transform(const Eigen::Isometry3d& T_parent_chil
   return message;
 }
 
-void addState(const core::LearnedModel& joint, const std::string& prefix, sensor_msgs::JointState* state) {
-  state->name.push_back(prefix + "_" + std::to_string(joint.id) + "_joint");
+void addState(const core::LearnedModel& joint, sensor_msgs::JointState* state) {
+  state->name.push_back(nameOf(joint));
   state->position.push_back(joint.q);
 }
 
@@ -44,27 +44,27 @@ std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<c
     const Eigen::Isometry3d T_fixed_base = jointBase(model);
     transforms.push_back(transform(T_fixed_base, header, header.frame_id, name + "_base"));
     transforms.push_back(transform(T_fixed_base.inverse() * model.predict(model.q), header, name + "_base", name + "_front"));
+    if (!model.name.empty())
+      transforms.push_back(transform(Eigen::Isometry3d::Identity(), header, name + "_front", prefix + "_" + model.name));
   }
   return transforms;
 }
 
-sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header,
-                                    const std::string& prefix) {
+sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header) {
   sensor_msgs::JointState state;
   state.header = header;
   for (const core::LearnedModel& model : models) {
-    if (isJoint(model) && std::abs(model.stamp - header.stamp.toSec()) <= kSameStamp) addState(model, prefix, &state);
+    if (isJoint(model) && std::abs(model.stamp - header.stamp.toSec()) <= kSameStamp) addState(model, &state);
   }
   return state;
 }
 
-sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id,
-                                        const std::string& prefix) {
+sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id) {
   sensor_msgs::JointState state;
   state.header.frame_id = frame_id;
   for (const core::LearnedModel& model : models) {
     if (!isJoint(model)) continue;
-    addState(model, prefix, &state);
+    addState(model, &state);
     state.header.stamp = std::max(state.header.stamp, toStamp(model.stamp));
   }
   return state;

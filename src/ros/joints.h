@@ -14,19 +14,18 @@ namespace cabinet_articulation {
 
 // Only joints (core::isJoint) have frames and joint states.
 
-/// The namespace of the nodelets as the first part of frame and joint names: "/robot/cabinet" gives "robot_cabinet".
+/// The namespace of the nodelets as the first part of frame names: "/robot/cabinet" gives "robot_cabinet".
 std::string jointPrefix(const std::string& ros_namespace);
 
-/// For every joint <prefix>_<id>_base in header.frame_id and <prefix>_<id>_front (the front at its q) in the base.
+/// For every joint <prefix>_<id>_base in header.frame_id and <prefix>_<id>_front (the front at its q) in the base. One with a
+/// name has that front a second time, as <prefix>_<name>.
 std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<core::LearnedModel>& models,
                                                              const std_msgs::Header& header, const std::string& prefix);
 
-/// Joints <prefix>_<id>_joint that were observed in the frame of the header, with their q.
-sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header,
-                                    const std::string& prefix);
+/// Joints, called core::nameOf(), that were observed in the frame of the header, with their q.
+sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header);
 
 /// All joints with their last q, whenever that was observed; the stamp is that of the newest.
-sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id,
-                                        const std::string& prefix);
+sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id);
 
 }  // namespace cabinet_articulation

@@ -26,21 +26,21 @@ Color colorOf(const core::LearnedModel& model) {
   return core::modelEntry(model.type).color;
 }
 
+std::string shortLabelOf(const core::LearnedModel& model) {
+  return std::to_string(model.id) + (model.name.empty() ? "" : " " + model.name);
+}
+
 std::string labelOf(const core::LearnedModel& model) {
+  const std::string front = shortLabelOf(model);
+  if (!model.moved) return front + " no motion yet";
+  if (!isJoint(model)) return front + " moved, no joint fits";
   char text[128];
-  if (!model.moved) {
-    std::snprintf(text, sizeof(text), "%u no motion yet", model.id);
-  } else if (!isJoint(model)) {
-    std::snprintf(text, sizeof(text), "%u moved, no joint fits", model.id);
-  } else {
-    const double scale = countsRadians(model) ? core::toDegrees(1) : 100;
-    const auto index = static_cast<size_t>(model.type);
-    const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
-    std::snprintf(text, sizeof(text), "%u %s %.0f %%, %.0f %s (%.0f to %.0f)", model.id, core::modelName(model.type),
-                  100 * probability, scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min,
-                  scale * model.q_max);
-  }
-  return text;
+  const double scale = countsRadians(model) ? core::toDegrees(1) : 100;
+  const auto index = static_cast<size_t>(model.type);
+  const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
+  std::snprintf(text, sizeof(text), " %s %.0f %%, %.0f %s (%.0f to %.0f)", core::modelName(model.type), 100 * probability,
+                scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
+  return front + text;
 }
 
 core::Rectangle frontAt(const core::LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }

@@ -26,7 +26,10 @@ constexpr Color kWayColor{1, 1, 1};  ///< in images, from q = 0 to now
 /// Grey: not enough motion yet; orange: no model describes it; else that of the joint's type.
 Color colorOf(const core::LearnedModel& model);
 
-/// "3 rotational 98 %, 34 deg (0 to 87)"
+/// "3 fridge": a front is asked for by its number, and people look for its name.
+std::string shortLabelOf(const core::LearnedModel& model);
+
+/// "3 fridge rotational 98 %, 34 deg (0 to 87)"; without the name where it has none.
 std::string labelOf(const core::LearnedModel& model);
 
 /// The front as the model predicts it at q (Eq. 8).

@@ -81,7 +81,7 @@ void drawOverlay(const core::StereoCamera& camera, const std::vector<core::Detec
     const core::Rectangle front = frontAt(model, model.q);
     canvas.outline(front, scalar(colorOf(model)), isJoint(model) ? 2 : 1);
     if (isJoint(model)) drawMotion(model, &canvas);
-    const std::string label = isJoint(model) ? labelOf(model) : std::to_string(model.id);
+    const std::string label = isJoint(model) ? labelOf(model) : shortLabelOf(model);
     const std::optional<cv::Point> at = canvas.place(front.center());
     if (at) labels.push_back({label, *at, colorOf(model), gaugeOf(model)});
   }

@@ -3,6 +3,7 @@
 #include <cabinet_articulation/ExportUrdf.h>
 #include <cabinet_articulation/HandlePath.h>
 #include <cabinet_articulation/Predict.h>
+#include <cabinet_articulation/SetName.h>
 
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/joints/prediction.h"
@@ -16,7 +17,7 @@ using namespace cabinet_articulation;
 
 namespace {
 
-constexpr char kPredict = 'p', kConfiguration = 'c', kHandlePath = 'h', kExportUrdf = 'u';
+constexpr char kPredict = 'p', kConfiguration = 'c', kHandlePath = 'h', kExportUrdf = 'u', kSetName = 'n';
 
 const core::LearnedModel& modelOf(std::uint32_t id) {
   static const core::KnownFronts known = [] {
@@ -48,6 +49,18 @@ void answer(const ExportUrdf::Request& request) {
   core::toUrdf(models, "map", "cabinet");
 }
 
+/// A name that is taken is known to be good for the description, and a proposal is never refused.
+void answer(const SetName::Request& request) {
+  core::KnownFronts known;
+  known.replace(fuzz::exampleFronts());
+  try {
+    known.setName(request.id, request.name, "room");
+  } catch (const core::NameError& error) {
+    known.setName(request.id, error.proposal(), "room");
+  }
+  core::toUrdf({known.at(3), known.at(4)}, "map", "cabinet");
+}
+
 }  // namespace
 
 fuzz::Seeds fuzz::seeds() {
@@ -66,12 +79,15 @@ fuzz::Seeds fuzz::seeds() {
   path.steps = 5;
   ExportUrdf::Request urdf;
   urdf.ids = {3, 4};
+  SetName::Request name;
+  name.id = 4;
+  name.name = "front_3";
   Predict::Request many = predict;
   many.q.assign(1000000, 0.5);
   ExportUrdf::Request all;
   all.ids.assign(1000000, 3);
   return {{kPredict + serialized(predict), kConfiguration + serialized(configuration), kHandlePath + serialized(path),
-           kExportUrdf + serialized(urdf)},
+           kExportUrdf + serialized(urdf), kSetName + serialized(name)},
           {kPredict + serialized(many), kExportUrdf + serialized(all)}};
 }
 
@@ -82,6 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (service == kPredict) answer(*reader.next<Predict::Request>());
     if (service == kConfiguration) answer(*reader.next<Configuration::Request>());
     if (service == kHandlePath) answer(*reader.next<HandlePath::Request>());
+    if (service == kSetName) answer(*reader.next<SetName::Request>());
     if (service == kExportUrdf) answer(*reader.next<ExportUrdf::Request>());
   });
 }

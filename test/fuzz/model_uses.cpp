@@ -66,8 +66,8 @@ void useModels(const std::vector<core::LearnedModel>& models, const std::string&
   header.frame_id = frame;
   toMessage(models, header);
   jointTransforms(models, header, "cabinet");
-  jointStates(models, header, "cabinet");
-  lastJointStates(models, frame, "cabinet");
+  jointStates(models, header);
+  lastJointStates(models, frame);
   visualization_msgs::MarkerArray markers;
   addMarkers(models, header, &markers);
   const SmallFrame small;

@@ -151,6 +151,51 @@ TEST(Merge, WhatWasRemovedDoesNotComeBack) {
   EXPECT_EQ(again.fronts[0].model.observations, 15) << "learned anew, and no match for the old one's evidence";
 }
 
+KnownFront named(const std::string& name, LearnedModel model, int observations, double stamp) {
+  model.name = name;
+  return learned(model, observations, stamp);
+}
+
+TEST(Merge, AFrontKeepsItsNameWhicheverModelStays) {
+  const KnownFront file = named("fridge", test::doorModel(), 150, 1000);
+  for (const int observations : {20, 100}) {
+    KnownFront known = learned(test::doorModel(), observations, 5000);
+    test::setId(8, &known);
+    EXPECT_EQ(mergeFronts({known}, {file}, {}).fronts.at(0).model.name, "fridge") << observations;
+    known.model.name = "freezer";
+    const MergedFronts merged = mergeFronts({known}, {file}, {});
+    EXPECT_EQ(merged.fronts.at(0).model.name, "freezer") << "given later: " << observations;
+    EXPECT_EQ(merged.fronts.at(0).model.id, 8u);
+    EXPECT_TRUE(merged.renamed.empty());
+  }
+}
+
+TEST(Merge, ANameIsThereOnce) {
+  const KnownFront door = named("fridge", test::doorModel(), 50, 5000);
+  KnownFront drawer = named("fridge", test::drawerModel(), 50, 1000), garage = named("fridge_2", test::garageModel(), 50, 1000);
+  const MergedFronts merged = mergeFronts({door}, {drawer, garage}, {});
+  ASSERT_EQ(merged.fronts.size(), 3u);
+  EXPECT_EQ(merged.fronts[0].model.name, "fridge") << "known now";
+  EXPECT_EQ(merged.fronts[1].model.name, "fridge_3");
+  EXPECT_EQ(merged.fronts[2].model.name, "fridge_2");
+  ASSERT_EQ(merged.renamed.size(), 1u);
+  EXPECT_EQ(merged.renamed[0].id, 4u);
+  EXPECT_EQ(merged.renamed[0].from, "fridge");
+  EXPECT_EQ(merged.renamed[0].to, "fridge_3");
+}
+
+TEST(Merge, ADefaultNameIsLostWithItsId) {
+  const KnownFront file = named("front_3", test::doorModel(), 50, 1000);
+  KnownFront known = learned(test::doorModel(), 50, 5000);
+  test::setId(8, &known);
+  EXPECT_EQ(mergeFronts({known}, {file}, {}).fronts.at(0).model.name, "");
+  KnownFront other = learned(test::drawerModel(), 50, 5000);
+  test::setId(3, &other);
+  const MergedFronts merged = mergeFronts({other}, {file}, {});
+  ASSERT_THAT(idsOf(merged.fronts), ElementsAre(3, 4));
+  EXPECT_EQ(nameOf(merged.fronts[1].model), "front_4");
+}
+
 TEST(Ids, OfNobodyAreReplaced) {
   std::vector<KnownFront> fronts{learned(test::doorModel()), learned(test::drawerModel())};
   test::setId(0, &fronts[0]);

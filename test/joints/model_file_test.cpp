@@ -80,6 +80,36 @@ TEST_F(ModelFiles, BringBackWhatWasKnown) {
   }
 }
 
+TEST_F(ModelFiles, KeepNames) {
+  for (const char* const name : {"fridge", "null", "true", "No", "NaN", "e5", "front_3"}) {
+    KnownFront door = learned(test::doorModel());
+    door.model.name = name;
+    saveModelFile(path_, {"map", {door}});
+    EXPECT_EQ(readModelFile(path_).fronts.at(0).model.name, name);
+  }
+}
+
+TEST_F(ModelFiles, OlderThanNamesHaveNone) {
+  saveModelFile(path_, {"map", {learned(test::doorModel())}});
+  EXPECT_EQ(text().find("name:"), std::string::npos);
+  EXPECT_EQ(readModelFile(path_).fronts.at(0).model.name, "");
+}
+
+TEST_F(ModelFiles, WithBadNamesAreRefused) {
+  KnownFront door = learned(test::doorModel()), drawer = learned(test::drawerModel());
+  door.model.name = "fridge";
+  drawer.model.name = "drawer";
+  saveModelFile(path_, {"map", {door, drawer}});
+  damage("name: drawer", "name: [drawer]");
+  expectRefused("front 2: 'name' is no name");
+  damage("name: [drawer]", "name: top drawer");
+  expectRefused("front 2: 'name': the character at position 4");
+  damage("name: top drawer", "name: front_9");
+  expectRefused("front 2: 'name' is that of another front, front_9");
+  damage("name: front_9", "name: fridge");
+  expectRefused("front 2: its name is there twice");
+}
+
 TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
   damage("    q_min_is_end: true\n", "");

@@ -54,7 +54,7 @@ TEST(Urdf, FrontMovesAsTheModelPredicts) {
 
 TEST(Urdf, LimitsAreWhatWasSeen) {
   const auto description = parse({test::doorModel(), test::drawerModel()});
-  const auto door = description->getJoint("cabinet_3_joint"), drawer = description->getJoint("cabinet_4_joint");
+  const auto door = description->getJoint("front_3"), drawer = description->getJoint("front_4");
   ASSERT_TRUE(door && door->limits && drawer && drawer->limits);
   EXPECT_EQ(door->type, urdf::Joint::REVOLUTE);
   EXPECT_EQ(drawer->type, urdf::Joint::PRISMATIC);
@@ -84,6 +84,65 @@ TEST(Urdf, PanelHasTheFrontsSizeAndLiesBehindItsSurface) {
   EXPECT_GT(inertial.iyy + inertial.izz, inertial.ixx);
   EXPECT_GT(inertial.izz + inertial.ixx, inertial.iyy);
   EXPECT_NEAR(inertial.izz, inertial.mass / 12 * (0.4 * 0.4 + 0.6 * 0.6), 1e-4);
+}
+
+LearnedModel named(const std::string& name, LearnedModel model) {
+  model.name = name;
+  return model;
+}
+
+TEST(Urdf, NamesAreThoseOfJointsAndOfAFrameMore) {
+  const LearnedModel door = named("fridge", test::doorModel());
+  const auto description = parse({door, test::drawerModel()});
+  ASSERT_TRUE(description);
+  const auto joint = description->getJoint("fridge");
+  ASSERT_TRUE(joint);
+  EXPECT_EQ(joint->type, urdf::Joint::REVOLUTE);
+  EXPECT_EQ(joint->child_link_name, "cabinet_3_leaf");
+  EXPECT_FALSE(description->getJoint("front_3"));
+  EXPECT_TRUE(description->getJoint("front_4")) << "without a name";
+  ASSERT_TRUE(description->getLink("cabinet_fridge"));
+  EXPECT_TRUE(linkPose(*description, "cabinet_fridge", 0.5).isApprox(door.predict(0.5), kPrecision));
+  EXPECT_TRUE(linkPose(*description, "cabinet_3_front", 0.5).isApprox(door.predict(0.5), kPrecision));
+  EXPECT_FALSE(description->getLink("cabinet_front_4"));
+}
+
+TEST(Urdf, NoNameOfAFrontIsThatOfAnotherJointOrLink) {
+  for (const char* const name : {"cabinet_3_base", "cabinet_3_front_fixed", "cabinet_4_joint", "body"})
+    EXPECT_TRUE(parse({named(name, test::doorModel()), test::drawerModel()})) << name;
+  EXPECT_THAT(
+      [] {
+        parse({named("fridge", test::doorModel()), named("fridge", test::drawerModel())});
+      },
+      ThrowsSaying<ModelError>(HasSubstr("there are two links 'cabinet_fridge'")));
+  EXPECT_THAT([] { parse({named("x\x01", test::doorModel())}); },
+              ThrowsSaying<ModelError>(HasSubstr("the name of front 3 has the byte 0x01")));
+}
+
+TEST(Urdf, FrontsOfOnePieceOfFurnitureHangOnOneBody) {
+  LearnedModel drawer = test::drawerModel(), far = test::drawerModel();
+  drawer.origin = test::facingCamera(0.1, 0.4, 1.2);  // below the door, in its surface
+  far.id = 9;
+  far.origin = test::facingCamera(0.1, 0.4, 2.2);
+  const auto description = parse({test::doorModel(), drawer, far});
+  ASSERT_TRUE(description);
+  const auto body = description->getLink("cabinet_3_body");
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->getParent()->name, "odom");
+  EXPECT_EQ(body->child_links.size(), 2u);
+  EXPECT_TRUE(linkPose(*description, "cabinet_3_body", 0).isApprox(test::facingCamera(0.1, 0.2, 1.2), kPrecision)) << "amid them";
+  for (const char* const base : {"cabinet_3_base", "cabinet_4_base"})
+    EXPECT_EQ(description->getLink(base)->getParent()->name, "cabinet_3_body");
+  EXPECT_EQ(description->getLink("cabinet_9_base")->getParent()->name, "odom");
+  EXPECT_FALSE(description->getLink("cabinet_9_body"));
+  for (const LearnedModel& model : {test::doorModel(), drawer, far}) {
+    const std::string front = "cabinet_" + std::to_string(model.id) + "_front";
+    for (const double q : {0.0, 0.3})
+      EXPECT_TRUE(linkPose(*description, front, q).isApprox(model.predict(q), kPrecision)) << front;
+    const auto panel = description->getLink(front)->collision;
+    ASSERT_TRUE(panel) << front;
+    EXPECT_NEAR(std::dynamic_pointer_cast<urdf::Box>(panel->geometry)->dim.x, model.width, kPrecision);
+  }
 }
 
 TEST(Urdf, RefusesWhatIsNoJointInUrdf) {

@@ -34,6 +34,8 @@ class ArticulationNodelet : public test::MovingFronts {
     return "kitchen_left_" + std::to_string(track.id) + "_" + what;
   }
 
+  static std::string jointOf(const core::Track& track) { return "front_" + std::to_string(track.id); }
+
   /// child frame -> stamps, in the order in which they were sent.
   std::map<std::string, std::vector<geometry_msgs::TransformStamped>> transforms() const {
     std::map<std::string, std::vector<geometry_msgs::TransformStamped>> result;
@@ -67,7 +69,7 @@ TEST_F(ArticulationNodelet, LearnsADoorADrawerAndAWall) {
 
   ASSERT_FALSE(joint_states_->messages.empty());
   const sensor_msgs::JointState& joints = *joint_states_->messages.back();
-  EXPECT_EQ(joints.name, (std::vector<std::string>{name(tracks_[0], "joint"), name(tracks_[1], "joint")}));
+  EXPECT_EQ(joints.name, (std::vector<std::string>{jointOf(tracks_[0]), jointOf(tracks_[1])}));
   EXPECT_EQ(joints.header.stamp, models->header.stamp);
   EXPECT_EQ(joints.position[0], door.q);
 }
@@ -105,7 +107,7 @@ TEST_F(ArticulationNodelet, TellsANewSubscriberWhereAllJointsWereLeft) {
   ASSERT_TRUE(spinUntil([&] { return !joint_states_->messages.empty(); }));
   const sensor_msgs::JointState& left = *joint_states_->messages[0];
   for (int i = 0; i < 2; ++i) {
-    const auto joint = std::find(left.name.begin(), left.name.end(), name(tracks_[i], "joint"));
+    const auto joint = std::find(left.name.begin(), left.name.end(), jointOf(tracks_[i]));
     ASSERT_NE(joint, left.name.end()) << i;
     EXPECT_NEAR(left.position.at(static_cast<size_t>(joint - left.name.begin())), i == 0 ? 1.4 : 0.3, 0.02) << i;
   }

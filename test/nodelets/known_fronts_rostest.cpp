@@ -7,6 +7,7 @@
 #include <cabinet_articulation/Predict.h>
 #include <cabinet_articulation/RectangleArray.h>
 #include <cabinet_articulation/SaveModels.h>
+#include <cabinet_articulation/SetName.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <gtest/gtest.h>
 #include <nodelet/NodeletLoad.h>
@@ -180,6 +181,10 @@ TEST_F(KnownFrontsChain, ForgetsOneFrontWhileTheOthersGoOn) {
 TEST_F(KnownFrontsChain, KeepIdsAndHistoriesWhateverTheClockSays) {
   ASSERT_TRUE(play(1795000000));
   const std::uint32_t left = idAt(-0.5), right = idAt(0.5);
+  SetName name;
+  name.request.id = left;
+  name.request.name = "cutlery";
+  ASSERT_TRUE(ros::service::call("/cabinet/set_name", name) && name.response.success) << name.response.message;
   // Set back, to near 0, to 0, and hours on; with and without a file between.
   for (const double start : {30.0, 2.0, 0.0, 50000.0, 5.0}) {
     if (start == 5) {
@@ -193,6 +198,8 @@ TEST_F(KnownFrontsChain, KeepIdsAndHistoriesWhateverTheClockSays) {
     ASSERT_TRUE(play(start)) << "from " << start;
     EXPECT_EQ(idAt(-0.5), left) << "from " << start;
     EXPECT_EQ(idAt(0.5), right) << "from " << start;
+    for (const ArticulationModel& model : models_.messages.back()->models)
+      EXPECT_EQ(model.name, model.id == left ? "cutlery" : "") << "from " << start;
     EXPECT_TRUE(predicts(left) && predicts(right)) << "from " << start;
     EXPECT_GT(observationsAt(0.5), static_cast<size_t>(kFrames)) << "its history is back, too";
   }

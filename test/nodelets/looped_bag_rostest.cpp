@@ -106,7 +106,7 @@ TEST_F(LoopedBag, TimeThatJumpsBackResetsWhatLivesAndKeepsWhatWasLearned) {
     EXPECT_EQ(result.joints[0].model.id, drawer) << "what was learned keeps its name";
     const auto states = rounds(joint_states).at(i);
     for (const auto& state : states)
-      for (const std::string& name : state->name) EXPECT_EQ(name, "cabinet_" + std::to_string(drawer) + "_joint");
+      for (const std::string& name : state->name) EXPECT_EQ(name, "front_" + std::to_string(drawer));
     const auto frames = rounds(tracks).at(i);
     for (const auto& frame : frames)
       for (const Track& track : frame->tracks) EXPECT_LE(track.stamps.back(), frame->header.stamp) << "lives in the future";

@@ -71,7 +71,7 @@ TEST_F(RobotDescription, MovesAsTheModelsDo) {
     EXPECT_LT((pose.translation() - model.predict(model.q).translation()).norm(), 0.002) << i;
     EXPECT_LT(core::angleBetween(pose, model.predict(model.q)), 0.005) << i;
   }
-  EXPECT_EQ(joint_states_.messages.back()->name.at(0), "cabinet_" + std::to_string(tracks_[0].id) + "_joint");
+  EXPECT_EQ(joint_states_.messages.back()->name.at(0), "front_" + std::to_string(tracks_[0].id));
 }
 
 TEST_F(RobotDescription, HoldsWhatWasAskedForOrSaysWhyNot) {

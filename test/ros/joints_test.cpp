@@ -41,12 +41,24 @@ TEST(Joints, TransformsChainToTheFrontAsItIsNow) {
       (tf2::transformToEigen(along_curve[0]) * tf2::transformToEigen(along_curve[1])).isApprox(garage.predict(0.2), 1e-9));
 }
 
+TEST(Joints, ANameIsAnotherFrameOfTheFront) {
+  core::LearnedModel door = test::doorModel();
+  door.name = "fridge";
+  const auto transforms = jointTransforms({door, test::drawerModel()}, headerAt(5), "cabinet");
+  ASSERT_EQ(transforms.size(), 5u);
+  EXPECT_EQ(transforms[1].child_frame_id, "cabinet_3_front");
+  EXPECT_EQ(transforms[2].header.frame_id, "cabinet_3_front");
+  EXPECT_EQ(transforms[2].child_frame_id, "cabinet_fridge");
+  EXPECT_EQ(transforms[2].header.stamp, ros::Time(5));
+  EXPECT_TRUE(tf2::transformToEigen(transforms[2]).isApprox(Eigen::Isometry3d::Identity()));
+}
+
 TEST(Joints, StatesAreThoseObservedInTheFrame) {
   core::LearnedModel door = test::doorModel(), drawer = test::drawerModel();
   door.stamp = 5;
   drawer.stamp = 4;  // hidden in this frame
-  const sensor_msgs::JointState state = jointStates({door, drawer, test::restingModel()}, headerAt(5), "cabinet");
-  EXPECT_EQ(state.name, (std::vector<std::string>{"cabinet_3_joint"}));
+  const sensor_msgs::JointState state = jointStates({door, drawer, test::restingModel()}, headerAt(5));
+  EXPECT_EQ(state.name, (std::vector<std::string>{"front_3"}));
   EXPECT_EQ(state.position, (std::vector<double>{door.q}));
   EXPECT_EQ(state.header.stamp, ros::Time(5));
 }
@@ -55,8 +67,9 @@ TEST(Joints, LastStatesAreThoseOfAll) {
   core::LearnedModel door = test::doorModel(), drawer = test::drawerModel();
   door.stamp = 5;
   drawer.stamp = 4;
-  const sensor_msgs::JointState state = lastJointStates({door, drawer, test::restingModel()}, "map", "cabinet");
-  EXPECT_EQ(state.name, (std::vector<std::string>{"cabinet_3_joint", "cabinet_4_joint"}));
+  door.name = "fridge";
+  const sensor_msgs::JointState state = lastJointStates({door, drawer, test::restingModel()}, "map");
+  EXPECT_EQ(state.name, (std::vector<std::string>{"fridge", "front_4"}));
   EXPECT_EQ(state.position, (std::vector<double>{door.q, drawer.q}));
   EXPECT_EQ(state.header.frame_id, "map");
   EXPECT_EQ(state.header.stamp, ros::Time(5));

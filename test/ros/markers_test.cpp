@@ -53,6 +53,9 @@ TEST(Markers, DoorHasAFrontAnAxisASweepAndALabel) {
   const Marker* label = find(markers, "labels", 3);
   ASSERT_TRUE(label);
   EXPECT_EQ(label->text, "3 rotational 97 %, 29 deg (0 to 69)");
+  core::LearnedModel named = door;
+  named.name = "fridge";
+  EXPECT_EQ(find(markersOf({named}), "labels", 3)->text, "3 fridge rotational 97 %, 29 deg (0 to 69)");
 }
 
 TEST(Markers, AxisOfADrawerIsItsWay) {

@@ -129,6 +129,16 @@ TEST(MessageLimits, OfExpectedFronts) {
       core::limits::kHorizon, "horizon");
 }
 
+TEST(MessageLimits, OfNames) {
+  const auto said = [](const std::string& name) {
+    return refusal<ArticulationModel>(toMessage(core::LearnedModel(), "map"),
+                                      [&](ArticulationModel& message) { message.name = name; });
+  };
+  EXPECT_EQ(said("fridge"), "");
+  EXPECT_EQ(said("top drawer").find("the character at position 4 of the name"), 0u);
+  EXPECT_EQ(said(std::string(1000000, 'x')).find("the name has 1000000 characters"), 0u);
+}
+
 TEST(MessageLimits, OfModels) {
   ArticulationModel good = toMessage(core::LearnedModel(), "map");
   using Set = std::function<void(ArticulationModel&, double)>;

@@ -69,6 +69,11 @@ TEST(Overlay, LabelTellsWhatIsKnown) {
   EXPECT_EQ(labelOf(test::drawerModel()), "4 prismatic 99 %, 20 cm (0 to 30)");
   EXPECT_EQ(labelOf(test::restingModel()), "1 no motion yet");
   EXPECT_EQ(labelOf(test::unexplainedModel()), "5 moved, no joint fits");
+  core::LearnedModel drawer = test::drawerModel();
+  drawer.name = "cutlery";
+  EXPECT_EQ(labelOf(drawer), "4 cutlery prismatic 99 %, 20 cm (0 to 30)");
+  EXPECT_EQ(shortLabelOf(drawer), "4 cutlery");
+  EXPECT_EQ(shortLabelOf(test::restingModel()), "1");
 }
 
 /// Pixels of exactly this colour.

@@ -23,6 +23,9 @@ bool isGivenUp(const LearnedModel& model);
 /// True for what is a joint, or would be if it were not given up.
 bool wasJoint(const LearnedModel& model);
 
+/// What the front is called: the name that people gave it, or "front_<id>", which stays when the type changes.
+std::string nameOf(const LearnedModel& model);
+
 /// Throws ModelError, with the reason in words, unless isJoint().
 void requireJoint(const LearnedModel& model);
 

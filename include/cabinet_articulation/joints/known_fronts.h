@@ -18,6 +18,19 @@ struct KnownFront {
   Track track;
 };
 
+/// A front cannot be called so. The message says why, and what would do.
+class NameError : public ModelError {
+ public:
+  NameError(const std::string& why, const std::string& proposal)
+      : ModelError(why + "; '" + proposal + "' would do"), proposal_(proposal) {}
+
+  /// Fits and is free.
+  const std::string& proposal() const { return proposal_; }
+
+ private:
+  std::string proposal_;
+};
+
 /// A front that got another id, because that was taken or was none.
 struct IdChange {
   std::uint32_t from = 0, to = 0;
@@ -25,6 +38,12 @@ struct IdChange {
 
 /// "front 3 of the file is front 7 now", for all of them; empty if there are none.
 std::string inWords(const std::vector<IdChange>& changes);
+
+/// A front that got another name, because that was taken.
+struct NameChange {
+  std::uint32_t id = 0;
+  std::string from, to;
+};
 
 /// Observations that are kept of a front out of view, or in a file: enough for the fits, which use no more themselves.
 constexpr int kKeptObservations = 200;
@@ -35,8 +54,12 @@ constexpr int kKeptObservations = 200;
 /// not erase it. What is given up stays, with its doubt, but answers no questions any more.
 class KnownFronts {
  public:
-  /// So many joints are remembered beside those in view; those with the fewest observations go first (some 50 MB, ours).
+  /// So many joints are remembered beside those in view; those without a name, with the fewest observations, go first (some 50
+  /// MB, ours).
   static constexpr std::size_t kMostRemembered = 256;
+
+  /// Names that are kept for fronts nobody knows at the moment, in case that their ids return (ours).
+  static constexpr std::size_t kMostNames = 1024;
 
   /// Puts the tracks of one frame together. Returns how many wait for being sent as a whole (see TrackAssembly).
   std::size_t follow(std::vector<TrackUpdate> updates);
@@ -47,6 +70,14 @@ class KnownFronts {
   /// The models of those tracks. Joints that are no longer among them are remembered, if they were seen often enough to be
   /// more than an arm that passed.
   void update(const std::vector<LearnedModel>& models);
+
+  /// Gives a front a name, which stays with its id. Throws ModelError for an id nobody knows, and NameError for a name that is
+  /// taken, empty, longer than 64 characters, or more than a letter and then letters, digits and underscores. `reserved` is
+  /// taken, too, as are the default names of other fronts.
+  void setName(std::uint32_t id, const std::string& name, const std::string& reserved = "");
+
+  /// Puts the names of their fronts into models, which learners do not know.
+  void giveNames(std::vector<LearnedModel>* models) const;
 
   /// Throws ModelError for an id nobody knows.
   const LearnedModel& at(std::uint32_t id) const;
@@ -69,6 +100,10 @@ class KnownFronts {
     const Track* track;
   };
 
+  bool isKnown(std::uint32_t id) const { return live_.count(id) > 0 || remembered_.count(id) > 0; }
+  std::string nameGiven(std::uint32_t id) const;
+  std::string whyNotNamed(std::uint32_t id, const std::string& name, const std::string& reserved) const;
+  void dropNamesOfUnknown(const std::string& name);
   std::map<std::uint32_t, Kept> worthKeeping() const;
   const Track* trackOf(std::uint32_t id) const;
   void remember(KnownFront front);
@@ -76,6 +111,7 @@ class KnownFronts {
   TrackAssembly tracks_;                  ///< in view
   std::map<std::uint32_t, Track> ended_;  ///< out of view since the last update
   std::map<std::uint32_t, LearnedModel> live_;
+  std::map<std::uint32_t, std::string> names_;
   std::map<std::uint32_t, KnownFront> remembered_;  ///< without those that `live_` has with a joint worth keeping
 };
 

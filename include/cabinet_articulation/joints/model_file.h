@@ -28,6 +28,7 @@ struct SavedModels {
   std::size_t from_file = 0;                 ///< so many of them are as the file had them
   std::vector<IdChange> changes;             ///< of the file's fronts
   std::vector<IdChange> known_changes = {};  ///< of those whose ids a file cannot hold
+  std::vector<NameChange> renamed = {};      ///< of the file's fronts
   std::string kept = {};                     ///< why the file that was there could not be merged, and where it is; or empty
 
   /// "3 fronts saved to 'FILE', 1 of them ...".

@@ -9,17 +9,23 @@
 namespace cabinet_articulation::core {
 
 /*
- * Learned joints as a robot description. For the front with id 3, with the prefix "cabinet":
+ * Learned joints as a robot description. For the front with id 3, named "fridge", with the prefix "cabinet":
  *
- *   <frame> -- fixed --> cabinet_3_base -- cabinet_3_joint --> cabinet_3_leaf -- fixed --> cabinet_3_front
+ *   <frame> -- fixed --> cabinet_3_base -- fridge --> cabinet_3_leaf -- fixed --> cabinet_3_front -- fixed --> cabinet_fridge
  *
  * The base is jointBase(), and the joint moves along or about its z by the q of the model; its limits are the range that was
- * seen. The front is the model's pose, and carries a wooden panel of the front's size that lies behind it.
+ * seen. The front is the model's pose, and carries a wooden panel of the front's size that lies behind it, and collides. The
+ * joint's name is nameOf(); only a front that people named has the last link, which is the front again.
+ *
+ * Fronts of one piece of furniture hang on one link between the frame and their bases, cabinet_<lowest id>_body: it lies in
+ * their common surface, amid them, with the axes of the first front. They are one piece if their closed surfaces (at q_closed, or
+ * at q = 0 where that is not known) are one plane rather than two parallel or tilted ones, by the likelihood of their distance
+ * and tilt given the covariances of both, and if a gap of at most 0.6 m is between them: a unit whose own front was never opened.
  */
 
-/// Throws ModelError for what is no joint or has no counterpart in URDF, and for an id that is there twice. So it does for names
-/// that are empty or that XML cannot hold (control characters, no UTF-8). `frame` is the frame of the models, and becomes the
-/// root link; `prefix` is the first part of all other names.
+/// Throws ModelError for what is no joint or has no counterpart in URDF, and for an id or a name that is there twice. So it does
+/// for names that are empty or that XML cannot hold (control characters, no UTF-8). `frame` is the frame of the models, and
+/// becomes the root link; `prefix` is the first part of all other names.
 std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& frame, const std::string& prefix);
 
 /// Whether URDF has such a joint.
