@@ -25,8 +25,6 @@ constexpr int kPlaces = 9;                // along what was seen of a way
 constexpr double kSameStamp = 1e-5;  // [s]
 constexpr double kSamePoint = 0.05;  // [m]
 
-double beyondSeen(const LearnedModel& model) { return modelEntry(model.type).unit == ConfigurationUnit::kRadian ? 0.3 : 0.1; }
-
 Rectangle placeAt(const LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
 
 bool isAlike(double a, double b) { return a <= 0 || b <= 0 || std::abs(a - b) <= kSizeTolerance; }
@@ -119,6 +117,8 @@ std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<
 }
 
 }  // namespace
+
+double beyondSeen(const LearnedModel& model) { return modelEntry(model.type).unit == ConfigurationUnit::kRadian ? 0.3 : 0.1; }
 
 std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b) {
   const std::optional<double> forth = distanceToWay(a, b), back = distanceToWay(b, a);

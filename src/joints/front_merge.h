@@ -9,10 +9,13 @@
 
 namespace cabinet_articulation::core {
 
+/// [m or rad] A front may go so far beyond what was seen of its way: 0.1 m or 0.3 rad (ours).
+double beyondSeen(const LearnedModel& model);
+
 /// [m] between two models of one front, nothing if they are of two. Fronts are the same if one comes to lie where the other
 /// was seen: with the same outer side (within 0.39 rad, as the tracker has it), the centres within 0.05 m but less than 0.4
 /// of the shorter side, and sides that differ by at most 0.05 m. A side of 0 is unknown and fits any. The way of each is what
-/// was seen, and 0.1 m or 0.3 rad beyond. Numbers do not count. Both models are in one frame.
+/// was seen, and beyondSeen(). Numbers do not count. Both models are in one frame.
 std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b);
 
 /// A change for every id that is 0, above kLargestId or taken: from above the largest on, or where those are used up

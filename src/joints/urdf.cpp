@@ -76,8 +76,6 @@ void requireName(const std::string& name, const std::string& what) {
   }
 }
 
-Eigen::Isometry3d closedPose(const LearnedModel& model) { return model.predict(closedConfiguration(model)); }
-
 /// A link that joints hang on.
 struct Body {
   std::string link;
@@ -97,12 +95,12 @@ class Description {
   }
 
   /// A link that joints hang on, at the middle of these closed fronts. The first lends its name and its axes.
-  Body addBody(const std::vector<LearnedModel>& fronts) {
-    const std::string name = nameFor(fronts.front()) + "_body";
-    Eigen::Isometry3d T_frame_body = closedPose(fronts.front());
+  Body addBody(const LearnedModel& first, const PieceOfFurniture& piece) {
+    const std::string name = nameFor(first) + "_body";
+    Eigen::Isometry3d T_frame_body = piece.closed.front();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const LearnedModel& front : fronts) sum += closedPose(front).translation();
-    T_frame_body.translation() = sum / static_cast<double>(fronts.size());
+    for (const Eigen::Isometry3d& front : piece.closed) sum += front.translation();
+    T_frame_body.translation() = sum / static_cast<double>(piece.closed.size());
     addLink(name);
     connect(name + kFixed, frame_, name, T_frame_body);
     return {name, T_frame_body};
@@ -201,11 +199,9 @@ std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& f
       throw ModelError("front " + std::to_string(model.id) + " is " + modelName(model.type) +
                        ", and URDF has only prismatic and rotational joints");
   }
-  for (const std::vector<std::size_t>& piece : piecesOfFurniture(models)) {
-    std::vector<LearnedModel> fronts;
-    for (const std::size_t i : piece) fronts.push_back(models[i]);
-    const Body body = fronts.size() > 1 ? description.addBody(fronts) : description.room();
-    for (const LearnedModel& front : fronts) description.add(front, body);
+  for (const PieceOfFurniture& piece : piecesOfFurniture(models)) {
+    const Body body = piece.fronts.size() > 1 ? description.addBody(models[piece.fronts.front()], piece) : description.room();
+    for (const std::size_t front : piece.fronts) description.add(models[front], body);
   }
   return description.text();
 }

@@ -18,9 +18,10 @@ namespace cabinet_articulation::core {
  * joint's name is nameOf(); only a front that people named has the last link, which is the front again.
  *
  * Fronts of one piece of furniture hang on one link between the frame and their bases, cabinet_<lowest id>_body: it lies in
- * their common surface, amid them, with the axes of the first front. They are one piece if their closed surfaces (at q_closed, or
- * at q = 0 where that is not known) are one plane rather than two parallel or tilted ones, by the likelihood of their distance
- * and tilt given the covariances of both, and if a gap of at most 0.6 m is between them: a unit whose own front was never opened.
+ * their common surface, amid them, with the axes of the first front. They are one piece if their closed surfaces are one plane
+ * rather than two parallel or tilted ones, by the likelihood of their distance and tilt given the covariances of both, and if
+ * a gap of at most 0.6 m is between them: a unit whose own front was never opened. A front whose closed position is not known
+ * is taken for closed at q = 0, at q_min, or up to 0.3 rad or 0.05 m beyond, whichever is the most likely.
  */
 
 /// Throws ModelError for what is no joint or has no counterpart in URDF, and for an id or a name that is there twice. So it does
