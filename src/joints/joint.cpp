@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/joints/joint.h"
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
+#include <utility>
 
 #include "articulation/models/model_registry.h"
 #include "joints/front_names.h"
@@ -47,6 +50,41 @@ Eigen::Isometry3d jointBase(const LearnedModel& model) {
   T.linear().col(2) = z;
   T.translation() = turns ? model.axis_point : Eigen::Vector3d(model.origin.translation());
   return T;
+}
+
+double openEnd(const LearnedModel& model, double q_closed) {
+  return model.q_max - q_closed > q_closed - model.q_min ? model.q_max : model.q_min;
+}
+
+double openingAt(const LearnedModel& model, double q) {
+  if (!model.closed_known) return std::numeric_limits<double>::quiet_NaN();
+  return std::clamp((q - model.q_closed) / (openEnd(model, model.q_closed) - model.q_closed), 0.0, 1.0);
+}
+
+double configurationAtOpening(const LearnedModel& model, double opening) {
+  if (!model.closed_known)
+    throw ModelError("it is not known where " + nameOf(model) + " is closed, for it was not seen closed; ask in q");
+  return model.q_closed + opening * (openEnd(model, model.q_closed) - model.q_closed);
+}
+
+LearnedModel countedFromClosed(const LearnedModel& model) {
+  LearnedModel counted = model;
+  const bool grows = openEnd(model, model.q_closed) == model.q_max;
+  counted.origin = model.predict(model.q_closed);
+  counted.q_closed = 0;
+  for (double* q : {&counted.q, &counted.q_min, &counted.q_max}) *q = grows ? *q - model.q_closed : model.q_closed - *q;
+  if (grows) return counted;
+  counted.axis = -model.axis;
+  std::swap(counted.q_min, counted.q_max);
+  std::swap(counted.q_min_is_end, counted.q_max_is_end);
+  return counted;
+}
+
+std::vector<LearnedModel> allCountedFromClosed(const std::vector<LearnedModel>& models) {
+  std::vector<LearnedModel> counted;
+  for (const LearnedModel& model : models)
+    if (isJoint(model) && model.closed_known) counted.push_back(countedFromClosed(model));
+  return counted;
 }
 
 std::string outsideSeenRange(const LearnedModel& model, double q_lowest, double q_highest) {

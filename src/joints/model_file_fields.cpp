@@ -118,6 +118,10 @@ void readRange(const YAML::Node& node, LearnedModel* model) {
   if (model->q_min > model->q_max) throw std::runtime_error("'q_min' is more than 'q_max'");
   model->q_min_is_end = flag(node["q_min_is_end"], "q_min_is_end");
   model->q_max_is_end = flag(node["q_max_is_end"], "q_max_is_end");
+  // Of fronts that were not seen closed, and in older files, it is not there.
+  model->closed_known = static_cast<bool>(node["q_closed"]);
+  if (model->closed_known) model->q_closed = within(node["q_closed"], "q_closed", limits::kConfiguration);
+  model->opening = openingAt(*model, model->q);
 }
 
 void readQuality(const YAML::Node& node, LearnedModel* model) {
@@ -175,6 +179,7 @@ YAML::Node toYaml(const KnownFront& front) {
   node["q_min_is_end"] = model.q_min_is_end;
   node["q_max_is_end"] = model.q_max_is_end;
   if (model.hollow) node["hollow"] = true;
+  if (model.closed_known) node["q_closed"] = toText(model.q_closed);
   node["covariance"] = list(model.covariance);
   node["number_of_observations"] = model.observations;
   for (const ModelParam& param : model.params) node["params"][param.name] = list(Numbers{param.value, double(param.kind)});

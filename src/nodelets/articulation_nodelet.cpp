@@ -8,6 +8,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "closing/closed_finder.h"
 #include "nodelets/callback_threads.h"
 #include "nodelets/model_services.h"
 #include "nodelets/model_store.h"
@@ -31,13 +32,19 @@ class ArticulationStage : public StageNodelet {
     const auto start_from = [this](const std::vector<core::LearnedModel>& joints) {
       learner_->reset();
       learner_->remember(joints);
+      closed_.reset();
+      closed_.remember(joints);
     };
-    const StoreCalls calls{start_from, [this](std::uint32_t id) { learner_->forget(id); },
-                           [this] { health().setLasting("models_file", ""); }};
+    const auto forget = [this](std::uint32_t id) {
+      learner_->forget(id);
+      closed_.forget(id);
+    };
+    const StoreCalls calls{start_from, forget, [this] { health().setLasting("models_file", ""); }};
     getMTNodeHandle().setCallbackQueue(requests_.queue());
     store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, calls, guard());
     report([this] { return store_->loadAtStart(); });
     services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get(), guard());
+    services_->countFromClosed(output_.countsFromClosed());
     requests_.start(kRequestThreads);
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
@@ -53,7 +60,7 @@ class ArticulationStage : public StageNodelet {
     joint_states_ = advertise<sensor_msgs::JointState>("joint_states", [this](const auto& subscriber) {
       std::string frame_id;
       const std::vector<core::LearnedModel> known = store_->jointModels(&frame_id);
-      const sensor_msgs::JointState left = lastJointStates(known, frame_id);
+      const sensor_msgs::JointState left = lastJointStates(counted(known), frame_id);
       if (!left.name.empty()) subscriber.publish(left);
     });
   }
@@ -112,8 +119,10 @@ class ArticulationStage : public StageNodelet {
   /// False for tracks that are not to be used.
   bool takeOver(const TrackArray& tracks) {
     std::vector<core::TrackUpdate> updates;
+    core::DepthView view;
     try {
       updates = tracks_topic_.decode(tracks);
+      view = tracks_topic_.decode(tracks.view);
     } catch (const std::invalid_argument& error) {
       trouble("input", error.what());
       return false;
@@ -128,6 +137,8 @@ class ArticulationStage : public StageNodelet {
       store_->startAfresh();
       last_transforms_ = ros::Time();
     }
+    view.stamp = tracks.header.stamp.toSec();
+    closed_.see(std::move(view));
     store_->dropForgotten(&updates);
     const std::size_t gaps = store_->follow(std::move(updates));
     if (gaps > 0)
@@ -138,13 +149,20 @@ class ArticulationStage : public StageNodelet {
 
   void learn(const std_msgs::Header& header) {
     std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
+    closed_.complete(&models);
     health().note("models", static_cast<double>(models.size()));
     health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
     store_->update(&models);
-    sensor_msgs::JointState joint_states = jointStates(models, header);
+    const std::vector<core::LearnedModel> joints = counted(models);
+    sensor_msgs::JointState joint_states = jointStates(joints, header);
     if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
-    broadcast(models, header);
+    broadcast(joints, header);
     publish(models_, toMessage(models, header));
+  }
+
+  /// As joint states and frames count.
+  std::vector<core::LearnedModel> counted(const std::vector<core::LearnedModel>& models) const {
+    return output_.countsFromClosed() ? core::allCountedFromClosed(models) : models;
   }
 
   /// tf warns about repeated stamps, so each is sent once.
@@ -159,6 +177,7 @@ class ArticulationStage : public StageNodelet {
   static constexpr int kRequestThreads = 4;  ///< ours: a fit of a long track does not hold up a robot's predictions
   CallbackThreads requests_;                 ///< outlives the services
   std::unique_ptr<core::ArticulationLearner> learner_;
+  core::ClosedFinder closed_;
   std::unique_ptr<ModelStore> store_;
   std::unique_ptr<ModelServices> services_;
   FrameOutputConfig output_;

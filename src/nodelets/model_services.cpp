@@ -34,6 +34,10 @@ Eigen::Isometry3d graspOf(const HandlePath::Request& request) {
   return fromMessage(grasp);
 }
 
+double configurationOf(const core::LearnedModel& model, double requested, bool as_opening) {
+  return as_opening ? core::configurationAtOpening(model, requested) : requested;
+}
+
 }  // namespace
 
 template <class Service>
@@ -98,8 +102,10 @@ void ModelServices::predict(const Predict::Request& request, Predict::Response* 
   const core::LearnedModel model = modelOf(request.id, &response->header);
   if (request.q.empty()) throw core::ModelError("q is empty, expected the openings to predict");
   core::requireAtMost("openings in q", request.q.size(), core::limits::kMostEntries);
-  for (const double q : request.q) response->poses.push_back(withCovariance(core::predictWithCovariance(model, q)));
-  const auto [lowest, highest] = std::minmax_element(request.q.begin(), request.q.end());
+  std::vector<double> openings = request.q;
+  for (double& q : openings) q = configurationOf(model, q, request.as_opening);
+  for (const double q : openings) response->poses.push_back(withCovariance(core::predictWithCovariance(model, q)));
+  const auto [lowest, highest] = std::minmax_element(openings.begin(), openings.end());
   response->message = core::outsideSeenRange(model, *lowest, *highest);
 }
 
@@ -108,6 +114,7 @@ void ModelServices::configuration(const Configuration::Request& request, Configu
   const core::LearnedModel model = modelOf(request.id, &header);
   const core::NearestConfiguration nearest = core::findConfiguration(model, fromMessage(request.pose));
   response->q = nearest.q;
+  response->opening = core::openingAt(model, nearest.q);
   response->residual = nearest.position_residual;
   response->orientation_residual = nearest.orientation_residual;
   response->message = core::outsideSeenRange(model, nearest.q, nearest.q);
@@ -129,13 +136,14 @@ void ModelServices::fitTrack(const FitTrack::Request& request, FitTrack::Respons
 void ModelServices::handlePath(const HandlePath::Request& request, HandlePath::Response* response) {
   const core::LearnedModel model = modelOf(request.id, &response->header);
   const int steps = static_cast<int>(std::min<std::uint32_t>(request.steps, std::numeric_limits<int>::max()));
-  const auto path = core::handlePath(model, graspOf(request), request.q_from, request.q_to, steps);
+  const double q_from = configurationOf(model, request.q_from, request.as_opening);
+  const double q_to = configurationOf(model, request.q_to, request.as_opening);
+  const auto path = core::handlePath(model, graspOf(request), q_from, q_to, steps);
   for (int i = 0; i < steps; ++i) {
-    response->q.push_back(request.q_from + (request.q_to - request.q_from) * i / (steps - 1));
+    response->q.push_back(q_from + (q_to - q_from) * i / (steps - 1));
     response->poses.push_back(withCovariance(path[static_cast<std::size_t>(i)]));
   }
-  response->message =
-      core::outsideSeenRange(model, std::min(request.q_from, request.q_to), std::max(request.q_from, request.q_to));
+  response->message = core::outsideSeenRange(model, std::min(q_from, q_to), std::max(q_from, q_to));
 }
 
 void ModelServices::saveModels(const SaveModels::Request& request, SaveModels::Response* response) {
@@ -155,8 +163,10 @@ void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::R
   if (request.ids.empty())
     for (const core::LearnedModel& model : store_.jointModels(&frame_id))
       if (core::hasUrdf(model)) models.push_back(model);
+  if (from_closed_) models = core::allCountedFromClosed(models);
   if (models.empty())
-    throw core::ModelError("no prismatic or rotational joint is known yet; fronts must be seen while they move");
+    throw core::ModelError(std::string("no prismatic or rotational joint is known yet; fronts must be seen while they move") +
+                           (from_closed_ ? ", and closed, since joint_zero is 'closed'" : ""));
   response->urdf = core::toUrdf(models, frame_id, jointPrefix(nh_.getNamespace()));
 }
 

@@ -13,6 +13,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ class ModelServices {
 
   /// Ends the services, and waits for calls that are running.
   void shutdown();
+
+  /// For export_urdf: joints count from where they are closed, and others are left out.
+  void countFromClosed(bool from_closed) { from_closed_ = from_closed; }
 
   /// For fit_track.
   void setConfig(const core::ArticulationConfig& config);
@@ -59,6 +63,7 @@ class ModelServices {
   const std::string models_file_;
   ModelStore& store_;
   const CallbackGuard guard_;
+  std::atomic<bool> from_closed_{false};
   std::mutex mutex_;  ///< guards the settings
   core::ArticulationConfig config_;
   std::vector<ros::ServiceServer> servers_;

@@ -104,7 +104,9 @@ class RectanglesStage : public StageNodelet {
       const FrameViews views = frames_->view(input.frame);
       const auto rectangles = detector_->process(views.frame, planes_topic_.decode(*input.planes), expected);
       health().note("rectangles", static_cast<double>(rectangles.size()));
-      publish(rectangles_, toMessage(rectangles, header));
+      RectangleArray message = toMessage(rectangles, header);
+      message.view = toMessage(core::thinnedOut(views.frame));
+      publish(rectangles_, std::move(message));
       worked_on_ = header.stamp;
     };
     runStage(header, work, wait);

@@ -56,11 +56,17 @@ struct ModelFileConfig {
 /// What the joints are published for.
 struct FrameOutputConfig {
   bool publish_tf = true;
+  std::string joint_zero = "first";
+
+  bool countsFromClosed() const { return joint_zero == "closed"; }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit("publish_tf", self.publish_tf,
           "send the joints' frames; false where a robot_state_publisher does so from the exported URDF");
+    visit("joint_zero", self.joint_zero, core::Choices{"first", "closed"},
+          "where joint states, tf and URDF count from: the first observed position, or the closed one; then without joints that "
+          "were not seen closed");
   }
 };
 

@@ -92,6 +92,9 @@ class TrackingStage : public StageNodelet {
     if (somebody_joined_.exchange(false)) updates_.startAnew();
     TrackArray message = toMessage(updates_.of(tracks, stamp), header);
     message.generation = generation_;
+    core::DepthView view = rectangles_topic_.decode(rectangles.view);
+    view.T_fixed_camera = T_fixed_camera * view.T_fixed_camera;
+    message.view = toMessage(view);
     publish(tracks_, std::move(message));
   }
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "closing/closed_finder.h"
+#include "geometry/message_precision.h"
 #include "pipeline/as_sent.h"
 
 namespace cabinet_articulation::core {
@@ -42,7 +44,10 @@ Pipeline::Pipeline(const PipelineConfig& config)
       planes_(config.planes),
       rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
-      articulation_(config.articulation) {}
+      articulation_(config.articulation),
+      closed_(std::make_unique<ClosedFinder>()) {}
+
+Pipeline::~Pipeline() = default;
 
 PipelineResult Pipeline::process(double stamp, const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
                                  const Eigen::Isometry3d& T_fixed_camera) {
@@ -61,6 +66,9 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.rectangles = timed(times.rectangles, [&] {
     return rectangles_.process(frame, result.planes, expectedInCamera(asSent(tracking_.expected()), stamp, T_fixed_camera));
   });
+  result.view = thinnedOut(frame);
+  result.view.stamp = stamp;
+  result.view.T_fixed_camera = asSent(T_fixed_camera);
   result.track_updates = timed(times.tracking, [&] {
     if (std::exchange(joints_are_due_, false)) tellTrackerOfJoints();
     return updates_.of(tracking_.process(stamp, transformed(asSent(result.rectangles), T_fixed_camera)), stamp);
@@ -68,6 +76,8 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.models = timed(times.articulation, [&] {
     known_.follow(asSent(result.track_updates));
     std::vector<LearnedModel> models = articulation_.process(known_.tracks());
+    closed_->see(result.view);
+    closed_->complete(&models);
     known_.update(models);
     return models;
   });
@@ -83,6 +93,7 @@ void Pipeline::reset() {
   joints_.clear();
   joints_are_new_ = joints_are_due_ = false;
   articulation_.reset();
+  closed_->reset();
 }
 
 void Pipeline::startAfresh() {
@@ -98,6 +109,8 @@ void Pipeline::startAfresh() {
   known_.replace(joints);
   articulation_.reset();
   articulation_.remember(models);
+  closed_->reset();
+  closed_->remember(models);
 }
 
 /// It knows nothing else then.

@@ -126,10 +126,24 @@ class Run {
     if (report_) report_->add(stamp, result, T_fixed_camera);
     warnIfSwapped(frame, result.frame);
     if (!output_) output_.emplace(options_.output);
-    const RectangleArray rectangles = options_.camera_rectangles
-                                          ? toMessage(result.rectangles, camera)
-                                          : toMessage(core::transformed(result.rectangles, T_fixed_camera), header);
-    output_->write(header, rectangles, result.track_updates, result.models);
+    output_->write(header, rectanglesOf(result, camera, header, T_fixed_camera), tracksOf(result, header), result.models);
+  }
+
+  RectangleArray rectanglesOf(const core::PipelineResult& result, const std_msgs::Header& camera, const std_msgs::Header& fixed,
+                              const Eigen::Isometry3d& T_fixed_camera) const {
+    RectangleArray rectangles = options_.camera_rectangles
+                                    ? toMessage(result.rectangles, camera)
+                                    : toMessage(core::transformed(result.rectangles, T_fixed_camera), fixed);
+    core::DepthView view = result.view;
+    if (options_.camera_rectangles) view.T_fixed_camera.setIdentity();
+    rectangles.view = toMessage(view);
+    return rectangles;
+  }
+
+  static TrackArray tracksOf(const core::PipelineResult& result, const std_msgs::Header& header) {
+    TrackArray tracks = toMessage(result.track_updates, header);
+    tracks.view = toMessage(result.view);
+    return tracks;
   }
 
   void warnIfSwapped(const core::DepthFrame& input, const core::DepthFrame& matched) {

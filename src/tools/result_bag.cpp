@@ -27,10 +27,10 @@ void ResultBag::add(const std::string& topic, const std_msgs::Header& header, co
   }
 }
 
-void ResultBag::write(const std_msgs::Header& header, const RectangleArray& rectangles,
-                      const std::vector<core::TrackUpdate>& tracks, const std::vector<core::LearnedModel>& models) {
+void ResultBag::write(const std_msgs::Header& header, const RectangleArray& rectangles, const TrackArray& tracks,
+                      const std::vector<core::LearnedModel>& models) {
   add("/cabinet/rectangles", header, rectangles);
-  add("/cabinet/tracks", header, toMessage(tracks, header));
+  add("/cabinet/tracks", header, tracks);
   add("/cabinet/models", header, toMessage(models, header));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cabinet_articulation/RectangleArray.h>
+#include <cabinet_articulation/TrackArray.h>
 #include <ros/time.h>
 #include <rosbag/bag.h>
 #include <std_msgs/Header.h>
@@ -21,7 +22,7 @@ class ResultBag {
   explicit ResultBag(const std::string& path);
 
   /// One frame; the rectangles may be in a frame of their own. Tracks hold what is new, as the nodelet publishes them.
-  void write(const std_msgs::Header& header, const RectangleArray& rectangles, const std::vector<core::TrackUpdate>& tracks,
+  void write(const std_msgs::Header& header, const RectangleArray& rectangles, const TrackArray& tracks,
              const std::vector<core::LearnedModel>& models);
 
   /// The whole histories, in a last message on /cabinet/tracks.

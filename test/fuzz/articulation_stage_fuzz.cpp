@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "closing/closed_finder.h"
 #include "messages.h"
 #include "model_uses.h"
 #include "support/ros_messages.h"
@@ -17,9 +18,17 @@ fuzz::Seeds fuzz::seeds() {
     ends.push_back({track, all.size() - 2});
     ends.back().track.observations.assign(all.end() - 2, all.end());
   }
+  core::DepthView view;
+  view.columns = view.rows = 8;
+  view.fx = view.fy = 6;
+  view.cx = view.cy = 3.5;
+  view.depth.assign(64, 1.3F);
   std_msgs::Header header = test::exampleHeader(), late = header;
   late.stamp.sec = 4294967290U;
-  return {{serialized(toMessage(whole, header), toMessage(ends, header)), serialized(toMessage(tracks, header))},
+  TrackArray seen = toMessage(tracks, header);
+  seen.view = toMessage(view);
+  return {{serialized(seen, seen), serialized(toMessage(whole, header), toMessage(ends, header)),
+           serialized(toMessage(tracks, header))},
           {serialized(toMessage(tracks, late)), serialized(toMessage(tracks, header), toMessage(tracks, late))}};
 }
 
@@ -27,13 +36,18 @@ fuzz::Seeds fuzz::seeds() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::examineMessages(data, size, [](fuzz::MessageReader& reader) {
     core::ArticulationLearner learner{core::ArticulationConfig()};
+    core::ClosedFinder closed;
     core::KnownFronts known;
     std::string frame;
     do {
       const auto message = reader.next<TrackArray>();
       frame = message->header.frame_id;
       known.follow(fromMessage(*message));
-      const std::vector<core::LearnedModel> models = learner.process(known.tracks());
+      core::DepthView view = fromMessage(message->view);
+      view.stamp = message->header.stamp.toSec();
+      closed.see(std::move(view));
+      std::vector<core::LearnedModel> models = learner.process(known.tracks());
+      closed.complete(&models);
       known.update(models);
       fuzz::useModels(models, frame);
     } while (!reader.atEnd());

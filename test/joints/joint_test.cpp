@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "support/models.h"
 #include "support/throws_saying.h"
 
@@ -60,6 +62,44 @@ TEST(Joint, BaseIsARotationEvenIfTheAxisGoesThroughTheCentre) {
   LearnedModel model = test::doorModel();
   model.axis_point = model.origin.translation();
   EXPECT_TRUE((jointBase(model).linear() * jointBase(model).linear().transpose()).isIdentity(1e-12));
+}
+
+TEST(Joint, OpeningCountsFromClosedToTheWidestSeen) {
+  LearnedModel door = test::doorModel();
+  EXPECT_TRUE(std::isnan(openingAt(door, 0.5)));
+  EXPECT_THAT([&] { configurationAtOpening(door, 0.5); },
+              ThrowsSaying<ModelError>(HasSubstr("it is not known where front 3 is closed")));
+  door.closed_known = true;
+  door.q_closed = -0.3;
+  EXPECT_DOUBLE_EQ(openingAt(door, -0.3), 0);
+  EXPECT_DOUBLE_EQ(openingAt(door, 0.45), 0.5);
+  EXPECT_DOUBLE_EQ(openingAt(door, 2), 1);
+  EXPECT_DOUBLE_EQ(configurationAtOpening(door, 0.5), 0.45);
+  // First seen wide open: it opens towards q_min.
+  door.q_min = -1.1;
+  door.q_max = 0.02;
+  door.q_closed = 0.1;
+  EXPECT_DOUBLE_EQ(openingAt(door, -0.5), 0.5);
+  EXPECT_DOUBLE_EQ(configurationAtOpening(door, 1), -1.1);
+}
+
+TEST(Joint, IsTheSameWhenItCountsFromWhereItIsClosed) {
+  for (LearnedModel model : {test::doorModel(), test::drawerModel()}) {
+    for (const double closed : {model.q_min - 0.2, model.q_max + 0.2}) {
+      model.closed_known = true;
+      model.q_closed = closed;
+      const LearnedModel counted = countedFromClosed(model);
+      EXPECT_TRUE(counted.predict(0).isApprox(model.predict(closed), 1e-12));
+      EXPECT_TRUE(counted.predict(counted.q).isApprox(model.predict(model.q), 1e-12));
+      EXPECT_NEAR(counted.q_min, 0.2, 1e-12);
+      EXPECT_NEAR(counted.q_max - counted.q_min, model.q_max - model.q_min, 1e-12);
+      EXPECT_NEAR(openingAt(counted, counted.q), openingAt(model, model.q), 1e-12);
+    }
+  }
+  LearnedModel known = test::doorModel();
+  known.closed_known = true;
+  known.q_closed = 0;
+  EXPECT_EQ(allCountedFromClosed({known, test::drawerModel(), test::restingModel()}).size(), 1u);
 }
 
 TEST(Joint, WarnsOfOpeningsThatNobodyHasSeen) {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -114,6 +115,19 @@ TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
   damage("    q_min_is_end: true\n", "");
   EXPECT_FALSE(readModelFile(path_).fronts.at(0).model.q_min_is_end);
+}
+
+TEST_F(ModelFiles, KeepWhereAFrontIsClosed) {
+  KnownFront door = learned(test::doorModel());
+  door.model.closed_known = true;
+  door.model.q_closed = -0.3;
+  saveModelFile(path_, {"map", {door, learned(test::drawerModel())}});
+  const ModelFile loaded = readModelFile(path_);
+  EXPECT_TRUE(loaded.fronts.at(0).model.closed_known);
+  EXPECT_NEAR(loaded.fronts[0].model.q_closed, -0.3, 1e-10);
+  EXPECT_NEAR(loaded.fronts[0].model.opening, 0.8 / 1.5, 1e-10);
+  EXPECT_FALSE(loaded.fronts.at(1).model.closed_known) << "as in a file that is older than the field";
+  EXPECT_TRUE(std::isnan(loaded.fronts[1].model.q_closed) && std::isnan(loaded.fronts[1].model.opening));
 }
 
 TEST_F(ModelFiles, OlderThanAJointTypeGiveItNoProbability) {
@@ -230,6 +244,7 @@ TEST_F(ModelFiles, ThatAreDamagedAreRefused) {
       {{"q_max: 1.2", "q_max: .nan"}, "'q_max' is missing or no finite number"},
       {{"q_max: 1.2", "q_max: -1"}, "'q_min' is more than 'q_max'"},
       {{"q_min_is_end: true", "q_min_is_end: 3"}, "'q_min_is_end' is neither true nor false"},
+      {{"q_min_is_end: true", "q_closed: 1000"}, "q_closed"},
       {{"axis: [0, 1, 0]", "axis: [0, 2, 0]"}, "'axis' is not of unit length"},
       {{"axis: [0, 1, 0]", "axis: [0, 1]"}, "'axis' is not a list of 3 numbers"},
       {{"probabilities: [0.01, 0.02, 0.94, 0.03, 0]", "probabilities: [0.01, 0.99]"},

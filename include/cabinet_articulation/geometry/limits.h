@@ -42,10 +42,12 @@ constexpr Limit kSpeed{0, 100, "m/s"};                  ///< nothing in a kitche
 constexpr Limit kTurnRate{0, 100, "rad/s"};             ///< half a turn within a tenth of a second is 31 rad/s
 constexpr Limit kHorizon{0, 10, "s"};                   ///< that of prediction_horizon of the tracking stage
 
-constexpr Limit kImageSide{1, 16384, "px"};        ///< sums over a row of 20,000 pixels still fit 32 bits
-constexpr Limit kImageArea{1, 1 << 26, "px"};      ///< compressed or to be rectified: 512 MB of pixels or maps (ours)
-constexpr Limit kFocalLength{1, 1e5, "px"};        ///< 1000 px wide images of a hundredth of a radian
-constexpr Limit kPrincipalPoint{-1e5, 1e5, "px"};  ///< rectified images may be cut out far from it
+constexpr Limit kImageSide{1, 16384, "px"};            ///< sums over a row of 20,000 pixels still fit 32 bits
+constexpr Limit kImageArea{1, 1 << 26, "px"};          ///< compressed or to be rectified: 512 MB of pixels or maps (ours)
+constexpr Limit kFocalLength{1, 1e5, "px"};            ///< 1000 px wide images of a hundredth of a radian
+constexpr Limit kPrincipalPoint{-1e5, 1e5, "px"};      ///< rectified images may be cut out far from it
+constexpr Limit kCellFocalLength{1e-3, 1e5, "cells"};  ///< of a grid of pixels
+constexpr Limit kViewDepth{0, 100, "m"};               ///< no camera measures farther
 constexpr Limit kBaseline{0.001, 10, "m"};
 constexpr Limit kPlaneOffset{-100, 100, "m"};
 constexpr Limit kUnitLength{0.99, 1.01, "(a unit vector)"};

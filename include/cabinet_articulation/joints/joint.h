@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 
@@ -31,6 +32,21 @@ void requireJoint(const LearnedModel& model);
 
 /// The frame that rests: at the axis point (where q is an angle) or at the front with q = 0, z along the axis.
 Eigen::Isometry3d jointBase(const LearnedModel& model);
+
+/// The end of the range that was seen which is farther from where the front is closed: the widest seen, or its end.
+double openEnd(const LearnedModel& model, double q_closed);
+
+/// 0 closed, 1 at openEnd(); NaN while the closed position is unknown.
+double openingAt(const LearnedModel& model, double q);
+
+/// The q of an opening. Throws ModelError while the closed position is unknown.
+double configurationAtOpening(const LearnedModel& model, double opening);
+
+/// The same joint with q = 0 where it is closed, growing as it opens. Its closed position must be known.
+LearnedModel countedFromClosed(const LearnedModel& model);
+
+/// Those whose closed position is known, counted from there. A joint is never in this list with another zero.
+std::vector<LearnedModel> allCountedFromClosed(const std::vector<LearnedModel>& models);
 
 /// In words, that some q of an answer lie outside the range that was seen; empty if none do.
 std::string outsideSeenRange(const LearnedModel& model, double q_lowest, double q_highest);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -11,10 +12,13 @@
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
+#include "cabinet_articulation/stereo/depth_view.h"
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
 #include "cabinet_articulation/tracking/track_updates.h"
 
 namespace cabinet_articulation::core {
+
+class ClosedFinder;
 
 /// The settings of all five stages.
 struct PipelineConfig {
@@ -43,6 +47,7 @@ struct PipelineResult {
   DepthFrame frame;
   std::vector<PlaneRegion> planes;
   std::vector<DetectedRectangle> rectangles;
+  DepthView view;  ///< in the fixed frame, as the learner saw it
   const std::vector<Track>* tracks = nullptr;
   std::vector<TrackUpdate> track_updates;  ///< what is new of them
   std::vector<LearnedModel> models;
@@ -54,6 +59,7 @@ struct PipelineResult {
 class Pipeline {
  public:
   explicit Pipeline(const PipelineConfig& config);
+  ~Pipeline();
 
   /// A rectified stereo pair, seen at `stamp` [s]. `T_fixed_camera` places the left optical frame in the frame the models
   /// live in. Throws as BlockMatcher::process. A stamp that is not newer than the last one teaches nothing: tracks and
@@ -87,6 +93,7 @@ class Pipeline {
   bool joints_are_new_ = false;  ///< to be told after the next frame
   bool joints_are_due_ = false;  ///< to be told now
   ArticulationLearner articulation_;
+  std::unique_ptr<ClosedFinder> closed_;
 };
 
 /// Where fronts are expected at `stamp` [s], in the camera's frame, for the detector.

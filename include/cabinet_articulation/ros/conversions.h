@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cabinet_articulation/ArticulationModelArray.h>
+#include <cabinet_articulation/DepthView.h>
 #include <cabinet_articulation/ExpectedFrontArray.h>
 #include <cabinet_articulation/KnownFrontArray.h>
 #include <cabinet_articulation/RectangleArray.h>
@@ -13,6 +14,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
+#include "cabinet_articulation/stereo/depth_view.h"
 #include "cabinet_articulation/tracking/expected_fronts.h"
 #include "cabinet_articulation/tracking/track_updates.h"
 
@@ -28,6 +30,10 @@ Rectangle toMessage(const core::DetectedRectangle& rectangle);
 RectangleArray toMessage(const std::vector<core::DetectedRectangle>& rectangles, const std_msgs::Header& header);
 core::DetectedRectangle fromMessage(const Rectangle& message);
 std::vector<core::DetectedRectangle> fromMessage(const RectangleArray& message);
+
+/// The stamp and the fixed frame are those of the array that holds it. A message without cells is an empty view.
+DepthView toMessage(const core::DepthView& view);
+core::DepthView fromMessage(const DepthView& message);
 
 Track toMessage(const core::TrackUpdate& update, const std::string& frame_id);
 TrackArray toMessage(const std::vector<core::TrackUpdate>& updates, const std_msgs::Header& header);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "cabinet_articulation/articulation/learned_model.h"
+#include "closing/view_memory.h"
+
+namespace cabinet_articulation::core {
+
+/// Tells learned joints where they are closed. q = 0 stays the first observed position, so that nobody who holds a q is misled
+/// when the closed position becomes known. The place is kept in space, not as a q: a joint that is learned better gets another
+/// q_closed for the same place. A frame costs one search at most.
+class ClosedFinder {
+ public:
+  /// What the camera saw in the frame whose joints come next.
+  void see(DepthView view) { memory_.add(std::move(view)); }
+
+  /// Fills q_closed, closed_known and opening of every model.
+  void complete(std::vector<LearnedModel>* models);
+
+  /// Joints of an earlier run, with what was known of them.
+  void remember(const std::vector<LearnedModel>& joints);
+
+  void forget(std::uint32_t id) { places_.erase(id); }
+
+  /// Forgets the views; places stay. For a clock that was set back.
+  void forgetViews() { memory_.clear(); }
+
+  void reset() { *this = ClosedFinder(); }
+
+ private:
+  struct Place {
+    bool known = false;
+    Rectangle closed;
+    std::uint64_t searched_at = 0;  ///< frame
+  };
+
+  void forgetOthers(const std::vector<LearnedModel>& models);
+  void searchOne(const std::vector<LearnedModel>& models);
+
+  ViewMemory memory_;
+  std::map<std::uint32_t, Place> places_;
+  std::uint64_t frame_ = 0;
+};
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "closing/closed_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "closing/closed_place.h"
+#include "closing/front_in_view.h"
+#include "geometry/median.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kNear = 0.03;       ///< [m] points that may belong to a plane before it is fitted (as kBand of depth at 2 m)
+constexpr std::size_t kScanned = 6;  ///< views in which the surface is searched for; it rests, so few do
+
+struct Steps {
+  double size, beyond;
+};
+
+/// How finely [m or rad] an opening is searched for, and how far beyond what was seen. A drawer is first seen as late as it is
+/// half open; a door at any angle.
+Steps stepsOf(const LearnedModel& joint) {
+  return joint.type == JointType::kPrismatic ? Steps{0.01, 0.5} : Steps{0.04, M_PI / 2};
+}
+
+/// How far a closed front seems to be from its neighbours' plane: kitchens are adjusted to 2 mm and a third of a degree, and
+/// depth bends by as much from one place to the next (measured: up to a degree with a Kinect).
+double sigmaOfFlush(const LearnedModel& joint) { return joint.type == JointType::kPrismatic ? 0.003 : 0.01; }
+
+/// [nats] That a front which measures so far from the surface is closed rather than anywhere else within reach.
+double closedLogOdds(const LearnedModel& joint, const Correction& measured) {
+  const double flush = sigmaOfFlush(joint);
+  const double variance = flush * flush + measured.sigma * measured.sigma;
+  const double reach = joint.q_max - joint.q_min + stepsOf(joint).beyond;
+  return std::log(reach / std::sqrt(2 * M_PI * variance)) - measured.q * measured.q / (2 * variance);
+}
+
+std::vector<const DepthView*> spread(const std::vector<DepthView>& views) {
+  std::vector<const DepthView*> result;
+  const std::size_t count = std::min(kScanned, views.size());
+  for (std::size_t i = 0; i < count; ++i) result.push_back(&views[count > 1 ? i * (views.size() - 1) / (count - 1) : 0]);
+  return result;
+}
+
+/// The opening at which the surface around the front goes on best.
+std::optional<double> scan(const LearnedModel& joint, const std::vector<const DepthView*>& views) {
+  const Steps steps = stepsOf(joint);
+  double best_odds = 0;
+  std::optional<double> best;
+  for (double q = joint.q_min - steps.beyond; q <= joint.q_max + steps.beyond; q += steps.size) {
+    if (!opensOutwardsFrom(joint, q)) continue;
+    std::array<CellCount, 4> seen;
+    for (const DepthView* view : views) keepBest(look(*view, frontAt(joint, q), kNear / 2).beside, &seen);
+    const double odds = surfaceLogOdds(seen);
+    if (odds <= best_odds) continue;
+    best_odds = odds;
+    best = q;
+  }
+  return best;
+}
+
+/// Where the surface around the front is, by the median of the views that tell it as exactly as fronts are flush (what is seen of
+/// it beside a hinge alone does not), and how far views scatter about that.
+struct Surface {
+  double q = 0;
+  double scatter = 0;
+};
+
+std::optional<Surface> surfaceAround(const LearnedModel& joint, double q, const std::vector<const DepthView*>& views) {
+  constexpr int kIterations = 4;
+  Surface surface{q, 0};
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    std::vector<double> corrections;
+    for (const DepthView* view : views) {
+      const std::optional<SurfacePlane> plane = fitSurface(look(*view, frontAt(joint, surface.q), kNear).around);
+      if (!plane) continue;
+      const Correction correction = correctionTo(*plane, joint, surface.q);
+      if (correction.sigma < sigmaOfFlush(joint)) corrections.push_back(correction.q);
+    }
+    if (corrections.empty()) return std::nullopt;
+    const double middle = median(corrections);
+    for (double& correction : corrections) correction = std::abs(correction - middle);
+    surface.q += middle;
+    surface.scatter = kDeviationToSigma * median(corrections);
+  }
+  return surface;
+}
+
+bool isFull(const CellCount& inside) {
+  constexpr double kFull = 0.7;  // of the cells, beside an arm
+  return inside.in_plane > 0 && inside.in_plane >= kFull * inside.seen();
+}
+
+/// A view in which the front closes the surface.
+struct ClosedView {
+  const DepthView* view;
+  Correction front;  ///< where the front itself is
+};
+
+std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& surface, const std::vector<DepthView>& views) {
+  constexpr double kLogOdds = 3;  // [nats] ln 20, in one view
+  std::vector<ClosedView> closed;
+  for (const DepthView& view : views) {
+    const FrontInView seen = look(view, frontAt(joint, surface.q), kNear);
+    const std::optional<SurfacePlane> plane = isFull(seen.inside) ? fitSurface(seen.front) : std::nullopt;
+    if (!plane) continue;
+    const Correction front = correctionTo(*plane, joint, surface.q);
+    const double sigma = std::hypot(front.sigma, surface.scatter);
+    if (closedLogOdds(joint, {front.q, sigma}) > kLogOdds) closed.push_back({&view, front});
+  }
+  return closed;
+}
+
+double meanOf(const std::vector<ClosedView>& closed) {
+  double sum = 0, weights = 0;
+  for (const ClosedView& each : closed) {
+    const double weight = 1 / (each.front.sigma * each.front.sigma);
+    sum += weight * each.front.q;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
+std::optional<Rectangle> findClosed(const LearnedModel& joint, const std::vector<DepthView>& views) {
+  constexpr std::size_t kLeastViews = 2;  // one may be wrong as a whole
+  if (!leavesItsPlane(joint)) return std::nullopt;
+  const std::optional<double> found = scan(joint, spread(views));
+  if (!found) return std::nullopt;
+  std::optional<Surface> surface = surfaceAround(joint, *found, spread(views));
+  if (!surface) return std::nullopt;
+  // An open front hides what is beside it. So the surface is looked at once more in those views in which the front may be closed,
+  // and only those count that agree then.
+  std::vector<const DepthView*> likely;
+  for (const ClosedView& each : closedViews(joint, *surface, views)) likely.push_back(each.view);
+  surface = surfaceAround(joint, surface->q, likely);
+  if (!surface) return std::nullopt;
+  surface->scatter = 0;
+  const std::vector<ClosedView> closed = closedViews(joint, *surface, views);
+  if (closed.size() < kLeastViews) return std::nullopt;
+  const double q = surface->q + meanOf(closed);
+  if (!opensOutwardsFrom(joint, q)) return std::nullopt;
+  return frontAt(joint, q);
+}
+
+}  // namespace cabinet_articulation::core

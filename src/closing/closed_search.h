@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cabinet_articulation/articulation/learned_model.h"
+#include "cabinet_articulation/stereo/depth_view.h"
+
+namespace cabinet_articulation::core {
+
+/*
+ * Where a joint is closed, and whether it was seen so.
+ *
+ * A closed front lies in one surface with its neighbours, so a rectangle detector cannot see it: its track begins when it is a
+ * hand's breadth open, and ends there again. But the joint tells where it was before. Two questions to the views:
+ * 1. At which opening does the surface around the front's place lie in the front's plane? This is where it would be closed.
+ * 2. Was the front seen there, at rest or on its way? Its place is full then, and the plane through it tells its opening.
+ * A front that was ajar all the time has an answer to the first question alone, and it was not seen closed.
+ */
+
+/// The front where it is closed, in the fixed frame. Nothing unless it was seen there.
+std::optional<Rectangle> findClosed(const LearnedModel& joint, const std::vector<DepthView>& views);
+
+}  // namespace cabinet_articulation::core

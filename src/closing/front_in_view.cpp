@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "closing/front_in_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kGap = 0.015;    ///< [m] on both sides of an edge: gaps, and windows that blend both sides (measured: 1 cm)
+constexpr double kBeside = 0.1;   ///< [m] how far beyond an edge neighbours are looked for: narrower ones are rare (ours)
+constexpr double kGrazing = 0.2;  ///< sine of the least angle to the view at which depth tells of a surface (ours: 12 degrees)
+constexpr int kLeastCells = 3;    ///< beside an edge; fewer say nothing
+// Ours: a front has a neighbour beside half of its edges. Elsewhere a surface hardly ever goes on in the plane of an open front.
+constexpr double kGoesOn = 2.3;  ///< [nats] ln(0.5 / 0.05)
+constexpr double kEnds = -0.64;  ///< [nats] ln(0.5 / 0.95)
+
+/// Cells whose rays may hit the front or what is beside it.
+cv::Rect cellsNear(const DepthView& view, const Rectangle& front) {
+  const cv::Rect all(0, 0, view.columns, view.rows);
+  Rectangle grown = front;
+  grown.width += 2 * kBeside;
+  grown.height += 2 * kBeside;
+  const Eigen::Isometry3d T_camera_fixed = view.T_fixed_camera.inverse();
+  double left = view.columns, right = 0, top = view.rows, bottom = 0;
+  for (const Eigen::Vector3d& corner : grown.corners()) {
+    const Eigen::Vector3d p = T_camera_fixed * corner;
+    if (p.z() < kBeside) return all;
+    const double u = view.fx * p.x() / p.z() + view.cx, v = view.fy * p.y() / p.z() + view.cy;
+    left = std::min(left, u);
+    right = std::max(right, u);
+    top = std::min(top, v);
+    bottom = std::max(bottom, v);
+  }
+  const auto cell = [](double value, int end) { return static_cast<int>(std::clamp(std::floor(value), 0.0, 1.0 * end)); };
+  const cv::Point first(cell(left, view.columns), cell(top, view.rows));
+  return cv::Rect(first, cv::Point(cell(right + 1, view.columns), cell(bottom + 1, view.rows))) & all;
+}
+
+/// Where a point of the front's plane belongs; null: to neither.
+CellCount* placeOf(double x, double y, const Rectangle& front, FrontInView* result) {
+  const double beyond_x = std::abs(x) - front.width / 2, beyond_y = std::abs(y) - front.height / 2;
+  if (beyond_x < -kGap && beyond_y < -kGap) return &result->inside;
+  if (std::min(beyond_x, beyond_y) > 0 || std::max(beyond_x, beyond_y) < kGap) return nullptr;
+  if (std::max(beyond_x, beyond_y) > kBeside) return nullptr;
+  if (beyond_x > beyond_y) return &result->beside[x < 0 ? kEdgeMinusX : kEdgePlusX];
+  return &result->beside[y < 0 ? kEdgeMinusY : kEdgePlusY];
+}
+
+}  // namespace
+
+FrontInView look(const DepthView& view, const Rectangle& front, double band) {
+  FrontInView result;
+  const Eigen::Isometry3d T_front_camera = front.pose.inverse() * view.T_fixed_camera;
+  const Eigen::Vector3d eye = T_front_camera.translation();
+  if (eye.z() <= 0) return result;
+  const cv::Rect cells = cellsNear(view, front);
+  for (int row = cells.y; row < cells.br().y; ++row)
+    for (int column = cells.x; column < cells.br().x; ++column) {
+      const float depth = view.at(column, row);
+      if (!(depth > 0)) continue;
+      const Eigen::Vector3d ray = T_front_camera.linear() * view.ray(column, row);
+      if (-ray.z() < kGrazing * ray.norm()) continue;
+      const Eigen::Vector3d hit = eye - ray * (eye.z() / ray.z());
+      CellCount* count = placeOf(hit.x(), hit.y(), front, &result);
+      if (count == nullptr) continue;
+      const Eigen::Vector3d point = eye + depth * ray;
+      if (point.z() > band) {
+        ++count->before;
+      } else if (point.z() < -band) {
+        ++count->behind;
+      } else {
+        ++count->in_plane;
+        (count == &result.inside ? result.front : result.around).push_back(point);
+      }
+    }
+  return result;
+}
+
+double surfaceLogOdds(const std::array<CellCount, 4>& seen) {
+  double log_odds = 0;
+  for (const CellCount& side : seen) {
+    if (side.seen() < kLeastCells) continue;
+    log_odds += kEnds + (kGoesOn - kEnds) * side.in_plane / side.seen();
+  }
+  return log_odds;
+}
+
+void keepBest(const std::array<CellCount, 4>& seen, std::array<CellCount, 4>* best) {
+  for (std::size_t side = 0; side < seen.size(); ++side) {
+    CellCount& kept = (*best)[side];
+    if (seen[side].seen() < kLeastCells) continue;
+    // Compared as fractions, without division.
+    if (kept.seen() == 0 || seen[side].in_plane * kept.seen() > kept.in_plane * seen[side].seen()) kept = seen[side];
+  }
+}
+
+}  // namespace cabinet_articulation::core

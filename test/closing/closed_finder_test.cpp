@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "closing/closed_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "cabinet_articulation/pipeline/pipeline.h"
+#include "cabinet_articulation/simulation/simulated_stereo_camera.h"
+#include "geometry/degrees.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr double kRate = 8;  // [Hz]
+
+/// One front in a kitchen that opens, waits and closes, seen by a depth camera.
+class Closing : public testing::Test {
+ protected:
+  /// Shows the frames in which the front's opening, relative to the widest, is in these bounds; those of its rest at first or at
+  /// last are repeated, as if it had been left there.
+  struct Shown {
+    double from = 0, to = 1;
+    bool opening = true, closing = true;
+  };
+
+  void show(const std::string& scene, const Shown& shown) {
+    SimulationConfig config;
+    config.scene = scene;
+    config.rate = kRate;
+    SimulatedStereoCamera simulation(config);
+    const auto openingOf = [&](int i) { return simulation.truth(i).joints[0].q / simulation.truth(i).joints[0].q_max; };
+    int widest = 0;
+    for (int i = 0; i < simulation.frameCount(); ++i)
+      if (openingOf(i) > openingOf(widest)) widest = i;
+    for (int i = 0; i < simulation.frameCount(); ++i) {
+      const bool phase = i <= widest ? shown.opening : shown.closing;
+      if (!phase || openingOf(i) < shown.from || openingOf(i) > shown.to) continue;
+      const bool first = frames_ == 0;
+      show(simulation, i);
+      for (int k = 0; first && k < kRest; ++k) show(simulation, i);
+      last_ = i;
+    }
+    for (int k = 0; k < kRest; ++k) show(simulation, last_);
+    truth_ = simulation.truth(last_).joints[0];
+  }
+
+  void show(SimulatedStereoCamera& simulation, int i) {
+    const StereoFrame frame = simulation.frame(i);
+    DepthFrame depth = frameFromDepth(frame.depth, simulation.camera());
+    result_ = pipeline_.process(100 + frames_++ / kRate, depth);
+    for (const LearnedModel& model : result_.models) {
+      if (!model.moved) continue;
+      if (!joint_) first_q_of_closed_ = model.q_closed;
+      joint_ = model;
+    }
+  }
+
+  /// q counted from the closed position is the truth's.
+  void expectClosed(double tolerance) const {
+    ASSERT_TRUE(joint_);
+    ASSERT_TRUE(joint_->closed_known);
+    EXPECT_GE(joint_->opening, 0);
+    EXPECT_LE(joint_->opening, 1);
+    const Rectangle closed{joint_->predict(joint_->q_closed), joint_->width, joint_->height};
+    Rectangle open = truth_.rectangle;
+    // Back by the truth's own joint.
+    Eigen::Isometry3d T_closed_open = Eigen::Isometry3d::Identity();
+    if (truth_.type == JointType::kRotational)
+      T_closed_open = Eigen::Translation3d(truth_.axis_point) * Eigen::AngleAxisd(-truth_.q, truth_.axis) *
+                      Eigen::Translation3d(-truth_.axis_point);
+    else
+      T_closed_open.translation() = -truth_.q * truth_.axis;
+    open.pose = T_closed_open * open.pose;
+    if (truth_.type == JointType::kRotational)
+      EXPECT_LT(std::acos(std::min(1.0, closed.normal().dot(open.normal()))), tolerance);
+    else
+      EXPECT_LT(std::abs(open.normal().dot(closed.center() - open.center())), tolerance);
+  }
+
+  static constexpr int kRest = 4;  // frames
+  Pipeline pipeline_{{}};
+  PipelineResult result_;
+  std::optional<LearnedModel> joint_;
+  FrontTruth truth_;
+  double first_q_of_closed_ = 0;
+  int frames_ = 0, last_ = 0;
+};
+
+constexpr double kAngle = 0.5 * kDegree, kLength = 0.004;  // what the closed position is wanted for
+
+TEST_F(Closing, OfADoorThatStartsClosedIsKnown) {
+  show("door", {0, 1, true, false});
+  expectClosed(kAngle);
+  EXPECT_NEAR(joint_->opening, 1, 0.02) << "left wide open";
+}
+
+TEST_F(Closing, OfADrawerThatStartsClosedIsKnown) {
+  show("drawer", {0, 1, true, false});
+  expectClosed(kLength);
+  EXPECT_NEAR(joint_->opening, 1, 0.02);
+}
+
+TEST_F(Closing, OfADoorThatStartsHalfOpenIsKnownOnceItIsClosed) {
+  show("door", {0, 1, false, true});
+  expectClosed(kAngle);
+}
+
+TEST_F(Closing, OfADrawerThatStartsHalfOpenIsKnownOnceItIsClosed) {
+  show("drawer", {0, 1, false, true});
+  expectClosed(kLength);
+}
+
+TEST_F(Closing, OfADoorThatWasAjarAllTheTimeIsUnknown) {
+  show("door", {0.1, 1, true, true});
+  ASSERT_TRUE(joint_);
+  EXPECT_FALSE(joint_->closed_known);
+  EXPECT_TRUE(std::isnan(joint_->q_closed));
+  EXPECT_TRUE(std::isnan(joint_->opening));
+}
+
+TEST_F(Closing, OfADrawerThatWasAjarAllTheTimeIsUnknown) {
+  show("drawer", {0.1, 1, true, true});
+  ASSERT_TRUE(joint_);
+  EXPECT_FALSE(joint_->closed_known);
+}
+
+TEST_F(Closing, IsRememberedAndFollowsTheJoint) {
+  show("door", {0, 1, true, false});
+  ASSERT_TRUE(joint_ && joint_->closed_known);
+  ClosedFinder finder;
+  finder.remember({*joint_});
+  // The same joint, counted from another place, as after it was learned anew.
+  LearnedModel anew = *joint_;
+  constexpr double kShift = 0.3;
+  anew.origin = joint_->predict(kShift);
+  for (double* q : {&anew.q, &anew.q_min, &anew.q_max}) *q -= kShift;
+  anew.closed_known = false;
+  std::vector<LearnedModel> models{anew};
+  finder.complete(&models);
+  ASSERT_TRUE(models[0].closed_known);
+  EXPECT_NEAR(models[0].q_closed, joint_->q_closed - kShift, 1e-6);
+  finder.forget(joint_->id);
+  finder.complete(&models);
+  EXPECT_FALSE(models[0].closed_known);
+}
+
+TEST_F(Closing, IsGivenUpWhenTheFrontIsSeenFartherIn) {
+  show("drawer", {0, 1, true, false});
+  ASSERT_TRUE(joint_ && joint_->closed_known);
+  ClosedFinder finder;
+  finder.remember({*joint_});
+  LearnedModel farther = *joint_;
+  (openEnd(farther, farther.q_closed) == farther.q_max ? farther.q_min : farther.q_max) =
+      farther.q_closed + (openEnd(farther, farther.q_closed) == farther.q_max ? -0.1 : 0.1);
+  std::vector<LearnedModel> models{farther};
+  finder.complete(&models);
+  EXPECT_FALSE(models[0].closed_known);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
