@@ -10,8 +10,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Block matching as OpenCV's StereoBM does it. Fields are named as in stereo_image_proc; the defaults are the paper's (128 disparities, 15 Hz) and
-/// what was measured best for small fronts (15x15 windows; 9x9 loses doors).
+/// Block matching as OpenCV's StereoBM does it. Fields are named as in stereo_image_proc; the defaults are the paper's (128
+/// disparities, 15 Hz) and what was measured best for small fronts (15x15 windows; 9x9 loses doors).
 struct StereoConfig {
   std::string matcher = "own";
   int disparity_range = 128;         ///< [px]
@@ -29,7 +29,7 @@ struct StereoConfig {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit("matcher", self.matcher, Choices{"own", "opencv"},
-          "own: the same disparities as OpenCV's StereoBM in less than half of its time; it takes over windows above 21 px");
+          "opencv: StereoBM; own: the same disparities in about half of its time, and StereoBM where windows exceed 21 px");
     visit("disparity_range", self.disparity_range, Range{16, 1024}, "px", "number of disparities searched, a multiple of 16");
     visit("min_disparity", self.min_disparity, Range{-1024, 1024}, "px", "smallest disparity searched");
     visit("correlation_window_size", self.correlation_window_size, Range{5, 255}, "px", "side of the matched block, odd");
@@ -56,7 +56,7 @@ class BlockMatcher {
 
   /// Left and right must be CV_8UC1 and of the camera's size, else std::invalid_argument with both in words.
   /// Returns CV_32FC1 disparities [px], already free of camera.cx_difference, 0 where there is no match. The result is
-  /// fresh memory: it stays valid and unchanged after the next call. `left` and `right` of the frame share the inputs.
+  /// nobody else's memory: it stays valid and unchanged after the next call. `left` and `right` of the frame share the inputs.
   DepthFrame process(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera);
 
   const StereoConfig& config() const { return config_; }
