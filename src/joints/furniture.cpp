@@ -45,9 +45,9 @@ struct Closed {
 bool isClosedKnown(const LearnedModel& model) { return model.closed_known && isWithin(model.q_closed, limits::kConfiguration); }
 
 std::vector<Closed> whereItMayBeClosed(const LearnedModel& model) {
-  if (isClosedKnown(model)) return {{model, model.q_closed}};
-  if (model.q_min == 0) return {{model, 0}};
-  return {{model, 0}, {model, model.q_min}};
+  if (isClosedKnown(model)) return {Closed(model, model.q_closed)};
+  if (model.q_min == 0) return {Closed(model, 0)};
+  return {Closed(model, 0), Closed(model, model.q_min)};
 }
 
 /// Somewhat beyond what was seen of its way, where it is parallel to the other (if it turns) or comes into its plane.
@@ -58,11 +58,12 @@ std::optional<Closed> towardsPlaneOf(const Closed& other, const LearnedModel& mo
     const Eigen::Vector3d from = model.origin.linear().col(2);
     const double q = std::atan2(axis.dot(from.cross(n)), from.dot(n) - axis.dot(from) * axis.dot(n));
     const double beyond = std::max(model.q_min - q, q - model.q_max);
-    return beyond > 0 && beyond < beyondSeen(model) ? std::optional<Closed>({model, q}) : std::nullopt;
+    if (!(beyond > 0 && beyond < beyondSeen(model))) return std::nullopt;
+    return Closed(model, q);
   }
   const double q = n.dot(other.front.center() - model.origin.translation()) / n.dot(axis);
   const double beyond = model.q_min - q;
-  if (!(beyond > 0 && beyond < kToldApart)) return std::nullopt;
+  if (!(beyond > 0 && beyond < kToldApart && isWithin(q, limits::kConfiguration))) return std::nullopt;
   Closed closed(model, q);
   closed.within = kToldApart * std::abs(n.dot(axis));
   return closed;
@@ -124,7 +125,7 @@ double gapBetween(const Rectangle& a, const Rectangle& b) {
 /// Two fronts of one piece, where each is closed.
 struct Pair {
   double evidence = 0;  ///< [nats] more than 0
-  Eigen::Isometry3d closed_a, closed_b;
+  Eigen::Isometry3d closed_a = Eigen::Isometry3d::Identity(), closed_b = Eigen::Isometry3d::Identity();
 };
 
 std::optional<Pair> pairUp(const LearnedModel& a, const std::vector<Closed>& closed_a, const LearnedModel& b,

@@ -71,9 +71,9 @@ class KnownFronts {
   /// more than an arm that passed.
   void update(const std::vector<LearnedModel>& models);
 
-  /// Gives a front a name, which stays with its id. Throws ModelError for an id nobody knows, and NameError for a name that is
-  /// taken, empty, longer than 64 characters, or more than a letter and then letters, digits and underscores. `reserved` is
-  /// taken, too, as are the default names of other fronts.
+  /// Gives a front a name, which stays with its id. Names are a letter, then up to 63 letters, digits and underscores. Throws
+  /// NameError for all others, and for what is taken: by a front that is known, as another's default name, or `reserved`. Throws
+  /// ModelError for an id nobody knows.
   void setName(std::uint32_t id, const std::string& name, const std::string& reserved = "");
 
   /// Puts the names of their fronts into models, which learners do not know.
