@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "closing/closed_finder.h"
 
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
-#include <utility>
+#include <tuple>
 
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
@@ -14,6 +15,8 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kMostPlaces = 1000;  ///< as many as joints out of view stay known
+
+constexpr double kSameStamp = 1e-6;  ///< [s] what a stamp may lose on its way through the core
 
 bool canBeSearched(const LearnedModel& model) { return isJoint(model) && leavesItsPlane(model); }
 
@@ -28,26 +31,53 @@ void setClosed(bool known, double q_closed, LearnedModel* model) {
 void ClosedFinder::remember(const std::vector<LearnedModel>& joints) {
   for (const LearnedModel& joint : joints) {
     if (!joint.closed_known) continue;
-    places_[joint.id] = {true, frontAt(joint, joint.q_closed), 0};
+    Place& place = places_[joint.id];
+    place.known = true;
+    place.closed = frontAt(joint, joint.q_closed);
   }
 }
 
-/// The joint that waited longest; those whose place is unknown first.
+/// Of the joints that were detected in the newest view.
+void ClosedFinder::noteEdges(const std::vector<LearnedModel>& models) {
+  constexpr double kBand = 0.015;  // [m] as neighbours are searched for
+  if (memory_.views().empty()) return;
+  const DepthView& view = memory_.views().back();
+  for (const LearnedModel& model : models)
+    if (canBeSearched(model) && std::abs(model.stamp - view.stamp) < kSameStamp)
+      places_[model.id].edges.add(look(view, frontAt(model, model.q), kBand));
+}
+
+bool ClosedFinder::isDue(const LearnedModel& model, double now) const {
+  constexpr double kPeriod = 0.3;  // [s] a front closes in no less
+  constexpr double kGrowth = 1.25;
+  const auto found = places_.find(model.id);
+  if (!canBeSearched(model)) return false;
+  if (found == places_.end() || !found->second.searched) return true;
+  const Place& place = found->second;
+  if (place.known) return model.observations > kGrowth * place.observations;
+  return std::abs(now - place.searched_at) > kPeriod;
+}
+
+/// Of the joints that are due the one that waited longest; those whose place is unknown first.
 void ClosedFinder::searchOne(const std::vector<LearnedModel>& models) {
+  if (memory_.views().empty()) return;
+  const double now = memory_.views().back().stamp;
   const LearnedModel* next = nullptr;
-  std::pair<bool, std::uint64_t> urgency;
+  std::tuple<bool, bool, double> urgency;
   for (const LearnedModel& model : models) {
-    if (!canBeSearched(model)) continue;
+    if (!isDue(model, now)) continue;
     const Place& place = places_[model.id];
-    const std::pair<bool, std::uint64_t> waiting(place.known, place.searched_at);
+    const std::tuple<bool, bool, double> waiting(place.known, place.searched, place.searched_at);
     if (next != nullptr && waiting >= urgency) continue;
     next = &model;
     urgency = waiting;
   }
   if (next == nullptr) return;
   Place& place = places_[next->id];
-  place.searched_at = frame_;
-  const std::optional<Rectangle> closed = findClosed(*next, memory_.views());
+  place.searched = true;
+  place.searched_at = now;
+  place.observations = next->observations;
+  const std::optional<Rectangle> closed = findClosed(*next, place.edges, memory_.views());
   if (!closed) return;
   place.known = true;
   place.closed = *closed;
@@ -65,8 +95,8 @@ void ClosedFinder::forgetOthers(const std::vector<LearnedModel>& models) {
 }
 
 void ClosedFinder::complete(std::vector<LearnedModel>* models) {
-  ++frame_;
   forgetOthers(*models);
+  noteEdges(*models);
   searchOne(*models);
   for (LearnedModel& model : *models) {
     const auto place = places_.find(model.id);

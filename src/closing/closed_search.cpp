@@ -13,6 +13,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr double kNear = 0.03;       ///< [m] points that may belong to a plane before it is fitted (as kBand of depth at 2 m)
+constexpr int kScanStep = 2;         ///< cells; the search needs no more, and most of the time is spent there
 constexpr std::size_t kScanned = 6;  ///< views in which the surface is searched for; it rests, so few do
 
 struct Steps {
@@ -45,14 +46,14 @@ std::vector<const DepthView*> spread(const std::vector<DepthView>& views) {
 }
 
 /// The opening at which the surface around the front goes on best.
-std::optional<double> scan(const LearnedModel& joint, const std::vector<const DepthView*>& views) {
+std::optional<double> scan(const LearnedModel& joint, const OwnEdges& edges, const std::vector<const DepthView*>& views) {
   const Steps steps = stepsOf(joint);
   double best_odds = 0;
   std::optional<double> best;
   for (double q = joint.q_min - steps.beyond; q <= joint.q_max + steps.beyond; q += steps.size) {
     if (!opensOutwardsFrom(joint, q)) continue;
     std::array<CellCount, 4> seen;
-    for (const DepthView* view : views) keepBest(look(*view, frontAt(joint, q), kNear / 2).beside, &seen);
+    for (const DepthView* view : views) keepBest(look(*view, frontAt(joint, q), kNear / 2, kScanStep).beside, edges, &seen);
     const double odds = surfaceLogOdds(seen);
     if (odds <= best_odds) continue;
     best_odds = odds;
@@ -68,13 +69,23 @@ struct Surface {
   double scatter = 0;
 };
 
-std::optional<Surface> surfaceAround(const LearnedModel& joint, double q, const std::vector<const DepthView*>& views) {
+/// The points beside those edges beyond which the plane goes on; what is farther back or nearer elsewhere is something else.
+std::vector<Eigen::Vector3d> surfacePoints(const FrontInView& seen, const OwnEdges& edges) {
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t edge = 0; edge < seen.around.size(); ++edge)
+    if (edges.isEdge(edge) && goesOn(seen.beside[edge]))
+      points.insert(points.end(), seen.around[edge].begin(), seen.around[edge].end());
+  return points;
+}
+
+std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& edges, double q,
+                                     const std::vector<const DepthView*>& views) {
   constexpr int kIterations = 4;
   Surface surface{q, 0};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     std::vector<double> corrections;
     for (const DepthView* view : views) {
-      const std::optional<SurfacePlane> plane = fitSurface(look(*view, frontAt(joint, surface.q), kNear).around);
+      const std::optional<SurfacePlane> plane = fitSurface(surfacePoints(look(*view, frontAt(joint, surface.q), kNear), edges));
       if (!plane) continue;
       const Correction correction = correctionTo(*plane, joint, surface.q);
       if (correction.sigma < sigmaOfFlush(joint)) corrections.push_back(correction.q);
@@ -99,16 +110,17 @@ struct ClosedView {
   Correction front;  ///< where the front itself is
 };
 
-std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& surface, const std::vector<DepthView>& views) {
+std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& surface,
+                                    const std::vector<const DepthView*>& views) {
   constexpr double kLogOdds = 3;  // [nats] ln 20, in one view
   std::vector<ClosedView> closed;
-  for (const DepthView& view : views) {
-    const FrontInView seen = look(view, frontAt(joint, surface.q), kNear);
+  for (const DepthView* view : views) {
+    const FrontInView seen = look(*view, frontAt(joint, surface.q), kNear);
     const std::optional<SurfacePlane> plane = isFull(seen.inside) ? fitSurface(seen.front) : std::nullopt;
     if (!plane) continue;
     const Correction front = correctionTo(*plane, joint, surface.q);
     const double sigma = std::hypot(front.sigma, surface.scatter);
-    if (closedLogOdds(joint, {front.q, sigma}) > kLogOdds) closed.push_back({&view, front});
+    if (closedLogOdds(joint, {front.q, sigma}) > kLogOdds) closed.push_back({view, front});
   }
   return closed;
 }
@@ -125,21 +137,22 @@ double meanOf(const std::vector<ClosedView>& closed) {
 
 }  // namespace
 
-std::optional<Rectangle> findClosed(const LearnedModel& joint, const std::vector<DepthView>& views) {
+std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views) {
   constexpr std::size_t kLeastViews = 2;  // one may be wrong as a whole
   if (!leavesItsPlane(joint)) return std::nullopt;
-  const std::optional<double> found = scan(joint, spread(views));
+  const std::optional<double> found = scan(joint, edges, spread(views));
   if (!found) return std::nullopt;
-  std::optional<Surface> surface = surfaceAround(joint, *found, spread(views));
+  std::optional<Surface> surface = surfaceAround(joint, edges, *found, spread(views));
   if (!surface) return std::nullopt;
   // An open front hides what is beside it. So the surface is looked at once more in those views in which the front may be closed,
   // and only those count that agree then.
-  std::vector<const DepthView*> likely;
-  for (const ClosedView& each : closedViews(joint, *surface, views)) likely.push_back(each.view);
-  surface = surfaceAround(joint, surface->q, likely);
+  std::vector<const DepthView*> all, likely;
+  for (const DepthView& view : views) all.push_back(&view);
+  for (const ClosedView& each : closedViews(joint, *surface, all)) likely.push_back(each.view);
+  surface = surfaceAround(joint, edges, surface->q, likely);
   if (!surface) return std::nullopt;
   surface->scatter = 0;
-  const std::vector<ClosedView> closed = closedViews(joint, *surface, views);
+  const std::vector<ClosedView> closed = closedViews(joint, *surface, likely);
   if (closed.size() < kLeastViews) return std::nullopt;
   const double q = surface->q + meanOf(closed);
   if (!opensOutwardsFrom(joint, q)) return std::nullopt;

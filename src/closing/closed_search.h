@@ -6,6 +6,7 @@
 
 #include "cabinet_articulation/articulation/learned_model.h"
 #include "cabinet_articulation/stereo/depth_view.h"
+#include "closing/front_in_view.h"
 
 namespace cabinet_articulation::core {
 
@@ -20,6 +21,6 @@ namespace cabinet_articulation::core {
  */
 
 /// The front where it is closed, in the fixed frame. Nothing unless it was seen there.
-std::optional<Rectangle> findClosed(const LearnedModel& joint, const std::vector<DepthView>& views);
+std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views);
 
 }  // namespace cabinet_articulation::core

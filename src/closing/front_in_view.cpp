@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace cabinet_articulation::core {
 namespace {
@@ -37,44 +38,59 @@ cv::Rect cellsNear(const DepthView& view, const Rectangle& front) {
   return cv::Rect(first, cv::Point(cell(right + 1, view.columns), cell(bottom + 1, view.rows))) & all;
 }
 
-/// Where a point of the front's plane belongs; null: to neither.
-CellCount* placeOf(double x, double y, const Rectangle& front, FrontInView* result) {
+/// Counts and points of the part that a point of the front's plane belongs to.
+struct Part {
+  CellCount* count;
+  std::vector<Eigen::Vector3d>* points;
+};
+
+std::optional<Part> partAt(double x, double y, const Rectangle& front, FrontInView* result) {
   const double beyond_x = std::abs(x) - front.width / 2, beyond_y = std::abs(y) - front.height / 2;
-  if (beyond_x < -kGap && beyond_y < -kGap) return &result->inside;
-  if (std::min(beyond_x, beyond_y) > 0 || std::max(beyond_x, beyond_y) < kGap) return nullptr;
-  if (std::max(beyond_x, beyond_y) > kBeside) return nullptr;
-  if (beyond_x > beyond_y) return &result->beside[x < 0 ? kEdgeMinusX : kEdgePlusX];
-  return &result->beside[y < 0 ? kEdgeMinusY : kEdgePlusY];
+  if (beyond_x < -kGap && beyond_y < -kGap) return Part{&result->inside, &result->front};
+  if (std::min(beyond_x, beyond_y) > 0 || std::max(beyond_x, beyond_y) < kGap) return std::nullopt;
+  if (std::max(beyond_x, beyond_y) > kBeside) return std::nullopt;
+  const Edge edge = beyond_x > beyond_y ? (x < 0 ? kEdgeMinusX : kEdgePlusX) : (y < 0 ? kEdgeMinusY : kEdgePlusY);
+  return Part{&result->beside[edge], &result->around[edge]};
 }
 
 }  // namespace
 
-FrontInView look(const DepthView& view, const Rectangle& front, double band) {
+FrontInView look(const DepthView& view, const Rectangle& front, double band, int step) {
   FrontInView result;
   const Eigen::Isometry3d T_front_camera = front.pose.inverse() * view.T_fixed_camera;
   const Eigen::Vector3d eye = T_front_camera.translation();
   if (eye.z() <= 0) return result;
   const cv::Rect cells = cellsNear(view, front);
-  for (int row = cells.y; row < cells.br().y; ++row)
-    for (int column = cells.x; column < cells.br().x; ++column) {
+  for (int row = cells.y; row < cells.br().y; row += step)
+    for (int column = cells.x; column < cells.br().x; column += step) {
       const float depth = view.at(column, row);
       if (!(depth > 0)) continue;
       const Eigen::Vector3d ray = T_front_camera.linear() * view.ray(column, row);
       if (-ray.z() < kGrazing * ray.norm()) continue;
       const Eigen::Vector3d hit = eye - ray * (eye.z() / ray.z());
-      CellCount* count = placeOf(hit.x(), hit.y(), front, &result);
-      if (count == nullptr) continue;
+      const std::optional<Part> part = partAt(hit.x(), hit.y(), front, &result);
+      if (!part) continue;
       const Eigen::Vector3d point = eye + depth * ray;
       if (point.z() > band) {
-        ++count->before;
+        ++part->count->before;
       } else if (point.z() < -band) {
-        ++count->behind;
+        ++part->count->behind;
       } else {
-        ++count->in_plane;
-        (count == &result.inside ? result.front : result.around).push_back(point);
+        ++part->count->in_plane;
+        part->points->push_back(point);
       }
     }
   return result;
+}
+
+bool goesOn(const CellCount& beside) { return beside.seen() >= kLeastCells && 2 * beside.in_plane > beside.seen(); }
+
+void OwnEdges::add(const FrontInView& seen) {
+  for (std::size_t edge = 0; edge < seen.beside.size(); ++edge) {
+    if (seen.beside[edge].seen() < kLeastCells) continue;
+    ++seen_[edge];
+    if (goesOn(seen.beside[edge])) ++along_[edge];
+  }
 }
 
 double surfaceLogOdds(const std::array<CellCount, 4>& seen) {
@@ -86,10 +102,10 @@ double surfaceLogOdds(const std::array<CellCount, 4>& seen) {
   return log_odds;
 }
 
-void keepBest(const std::array<CellCount, 4>& seen, std::array<CellCount, 4>* best) {
+void keepBest(const std::array<CellCount, 4>& seen, const OwnEdges& edges, std::array<CellCount, 4>* best) {
   for (std::size_t side = 0; side < seen.size(); ++side) {
     CellCount& kept = (*best)[side];
-    if (seen[side].seen() < kLeastCells) continue;
+    if (seen[side].seen() < kLeastCells || !edges.isEdge(side)) continue;
     // Compared as fractions, without division.
     if (kept.seen() == 0 || seen[side].in_plane * kept.seen() > kept.in_plane * seen[side].seen()) kept = seen[side];
   }

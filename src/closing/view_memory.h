@@ -19,8 +19,6 @@ class ViewMemory {
   /// Oldest first.
   const std::vector<DepthView>& views() const { return views_; }
 
-  void clear() { views_.clear(); }
-
  private:
   std::vector<DepthView> views_;
 };

@@ -31,11 +31,14 @@ void ResultBag::write(const std_msgs::Header& header, const RectangleArray& rect
                       const std::vector<core::LearnedModel>& models) {
   add("/cabinet/rectangles", header, rectangles);
   add("/cabinet/tracks", header, tracks);
+  view_ = tracks.view;
   add("/cabinet/models", header, toMessage(models, header));
 }
 
 void ResultBag::close(const std_msgs::Header& header, const std::vector<core::Track>& tracks) {
-  add("/cabinet/tracks", header, toMessage(tracks, header));
+  TrackArray whole = toMessage(tracks, header);
+  whole.view = view_;
+  add("/cabinet/tracks", header, whole);
   bag_.close();
 }
 

@@ -35,6 +35,7 @@ class ResultBag {
   rosbag::Bag bag_;
   std::string path_;
   ros::Time recorded_;  ///< of the last message
+  DepthView view_;      ///< of the last frame
 };
 
 }  // namespace cabinet_articulation

@@ -130,6 +130,12 @@ TEST_F(Services, RefusalsSayWhy) {
   expectPredict("has not moved enough yet", tracks_[2].id, {0});
   expectPredict("q is nan, expected -100 to 100", tracks_[0].id, {0, kNan});
   expectPredict("q is empty", tracks_[0].id, {});
+  Predict::Request half_open;
+  half_open.id = tracks_[0].id;
+  half_open.q = {0.5};
+  half_open.as_opening = true;
+  const auto not_seen_closed = call<Predict>("predict", half_open);
+  refuses("it is not known where front", not_seen_closed.success, not_seen_closed.message);
   Configuration::Request pose;
   pose.id = tracks_[0].id;
   const auto no_pose = call<Configuration>("configuration", pose);

@@ -28,7 +28,9 @@ class ResultBagTest : public testing::Test {
       header.stamp = stamp;
       RectangleArray rectangles;
       rectangles.header = header;
-      bag.write(header, rectangles, {}, {});
+      TrackArray tracks;
+      tracks.header = header;
+      bag.write(header, rectangles, tracks, {});
     }
     bag.close(header, {});
   }
