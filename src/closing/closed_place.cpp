@@ -31,8 +31,6 @@ bool leavesItsPlane(const LearnedModel& joint) {
   return joint.type == JointType::kPrismatic ? along > kAlong : joint.type == JointType::kRotational && along < kAcross;
 }
 
-Rectangle frontAt(const LearnedModel& joint, double q) { return {joint.predict(q), joint.width, joint.height}; }
-
 Correction correctionTo(const SurfacePlane& plane, const LearnedModel& joint, double q) {
   const Eigen::Vector3d axis = axisOf(joint, q);
   if (joint.type == JointType::kPrismatic) return {plane.c(0) / axis.z(), std::sqrt(plane.covariance(0, 0)) / std::abs(axis.z())};

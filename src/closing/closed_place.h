@@ -15,9 +15,6 @@ namespace cabinet_articulation::core {
 /// Whether the joint brings its front from one plane into another, and is of a kind that is known to close so.
 bool leavesItsPlane(const LearnedModel& joint);
 
-/// The front at q.
-Rectangle frontAt(const LearnedModel& joint, double q);
-
 /// Configurations and how certain they are.
 struct Correction {
   double q = 0;      ///< to be added

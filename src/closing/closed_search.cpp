@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "cabinet_articulation/geometry/limits.h"
+#include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
 #include "closing/front_in_view.h"
 #include "geometry/median.h"
@@ -139,7 +141,8 @@ double meanOf(const std::vector<ClosedView>& closed) {
 
 std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views) {
   constexpr std::size_t kLeastViews = 2;  // one may be wrong as a whole
-  if (!leavesItsPlane(joint)) return std::nullopt;
+  // A front goes no farther than it could be long: the search is over the whole way.
+  if (!leavesItsPlane(joint) || joint.q_max - joint.q_min > limits::kSide.max) return std::nullopt;
   const std::optional<double> found = scan(joint, edges, spread(views));
   if (!found) return std::nullopt;
   std::optional<Surface> surface = surfaceAround(joint, edges, *found, spread(views));
@@ -155,7 +158,7 @@ std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& e
   const std::vector<ClosedView> closed = closedViews(joint, *surface, likely);
   if (closed.size() < kLeastViews) return std::nullopt;
   const double q = surface->q + meanOf(closed);
-  if (!opensOutwardsFrom(joint, q)) return std::nullopt;
+  if (!isWithin(q, limits::kConfiguration) || !opensOutwardsFrom(joint, q)) return std::nullopt;
   return frontAt(joint, q);
 }
 

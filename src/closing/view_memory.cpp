@@ -7,8 +7,8 @@
 namespace cabinet_articulation::core {
 
 void ViewMemory::add(DepthView view) {
-  if (view.empty()) return;
-  if (!views_.empty() && view.stamp <= views_.back().stamp) views_.clear();
+  if (view.empty() || (!views_.empty() && view.stamp == views_.back().stamp)) return;
+  if (!views_.empty() && view.stamp < views_.back().stamp) views_.clear();
   views_.push_back(std::move(view));
   if (views_.size() <= kMostViews) return;
   // The gap that a view leaves, by its age. The first and the two newest stay.

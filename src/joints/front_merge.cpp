@@ -10,6 +10,7 @@
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/geometry/rectangle.h"
+#include "cabinet_articulation/joints/joint.h"
 #include "joints/front_names.h"
 
 namespace cabinet_articulation::core {
@@ -24,8 +25,6 @@ constexpr int kPlaces = 9;                // along what was seen of a way
 // Identity of a history's first observation, which is never thinned out, but placed anew when the size is known better.
 constexpr double kSameStamp = 1e-5;  // [s]
 constexpr double kSamePoint = 0.05;  // [m]
-
-Rectangle placeAt(const LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
 
 bool isAlike(double a, double b) { return a <= 0 || b <= 0 || std::abs(a - b) <= kSizeTolerance; }
 
@@ -44,9 +43,9 @@ std::optional<double> distanceBetween(const Rectangle& a, const Rectangle& b) {
 std::optional<double> distanceToWay(const LearnedModel& seen, const LearnedModel& way) {
   std::optional<double> best;
   for (int i = 0; i < kPlaces; ++i) {
-    const Rectangle place = placeAt(seen, seen.q_min + (seen.q_max - seen.q_min) * i / (kPlaces - 1));
+    const Rectangle place = frontAt(seen, seen.q_min + (seen.q_max - seen.q_min) * i / (kPlaces - 1));
     const double q = std::clamp(way.configuration(place.pose), way.q_min - beyondSeen(way), way.q_max + beyondSeen(way));
-    const std::optional<double> distance = distanceBetween(place, placeAt(way, q));
+    const std::optional<double> distance = distanceBetween(place, frontAt(way, q));
     if (distance && (!best || *distance < *best)) best = distance;
   }
   return best;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "articulation/models/model_registry.h"
+#include "geometry/cross_matrix.h"
 #include "joints/front_names.h"
 
 namespace cabinet_articulation::core {
@@ -52,6 +53,8 @@ Eigen::Isometry3d jointBase(const LearnedModel& model) {
   return T;
 }
 
+Rectangle frontAt(const LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
+
 double openEnd(const LearnedModel& model, double q_closed) {
   return model.q_max - q_closed > q_closed - model.q_min ? model.q_max : model.q_min;
 }
@@ -61,9 +64,14 @@ double openingAt(const LearnedModel& model, double q) {
   return std::clamp((q - model.q_closed) / (openEnd(model, model.q_closed) - model.q_closed), 0.0, 1.0);
 }
 
-double configurationAtOpening(const LearnedModel& model, double opening) {
+void requireClosed(const LearnedModel& model) {
+  requireJoint(model);
   if (!model.closed_known)
     throw ModelError("it is not known where " + nameOf(model) + " is closed, for it was not seen closed; ask in q");
+}
+
+double configurationAtOpening(const LearnedModel& model, double opening) {
+  requireClosed(model);
   return model.q_closed + opening * (openEnd(model, model.q_closed) - model.q_closed);
 }
 
@@ -71,6 +79,12 @@ LearnedModel countedFromClosed(const LearnedModel& model) {
   LearnedModel counted = model;
   const bool grows = openEnd(model, model.q_closed) == model.q_max;
   counted.origin = model.predict(model.q_closed);
+  if (!modelEntry(model.type).turns) {
+    // That of the origin, which moved along an uncertain axis.
+    Matrix6d J = Matrix6d::Identity();
+    J.topRightCorner<3, 3>() = -model.q_closed * crossMatrix(model.axis);
+    counted.covariance = J * model.covariance * J.transpose();
+  }
   counted.q_closed = 0;
   for (double* q : {&counted.q, &counted.q_min, &counted.q_max}) *q = grows ? *q - model.q_closed : model.q_closed - *q;
   if (grows) return counted;

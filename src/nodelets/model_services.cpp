@@ -163,6 +163,7 @@ void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::R
   if (request.ids.empty())
     for (const core::LearnedModel& model : store_.jointModels(&frame_id))
       if (core::hasUrdf(model)) models.push_back(model);
+  if (from_closed_ && !request.ids.empty()) std::for_each(models.begin(), models.end(), core::requireClosed);
   if (from_closed_) models = core::allCountedFromClosed(models);
   if (models.empty())
     throw core::ModelError(std::string("no prismatic or rotational joint is known yet; fronts must be seen while they move") +

@@ -47,6 +47,11 @@ std::string ModelStore::loadAtStart() {
 std::string ModelStore::load(const std::string& file) {
   std::lock_guard<std::mutex> filing(filing_);
   const core::ModelFile models = core::readModelFile(file);
+  const std::string taken = nameOfFrame(models.frame);
+  for (const core::KnownFront& front : models.fronts)
+    if (!taken.empty() && front.model.name == taken)
+      throw core::ModelFileError("model file '" + file + "': front " + std::to_string(front.model.id) + " is called '" + taken +
+                                 "', and its frame would be that of all models; give it another name there");
   {
     std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
@@ -60,6 +65,12 @@ std::string ModelStore::load(const std::string& file) {
   const std::string changes = core::inWords(models.changes);
   return std::to_string(models.fronts.size()) + " fronts loaded from '" + file + "'" +
          (changes.empty() ? "" : "; " + changes + ", for 0 is nobody's id");
+}
+
+/// The name whose frame would be `frame_id`; empty if there is none.
+std::string ModelStore::nameOfFrame(const std::string& frame_id) const {
+  const std::string prefix = jointPrefix(nh_.getNamespace()) + "_";
+  return frame_id.rfind(prefix, 0) == 0 ? frame_id.substr(prefix.size()) : "";
 }
 
 std::string ModelStore::save(const std::string& file) {
@@ -121,8 +132,7 @@ void ModelStore::reset() {
 
 std::string ModelStore::setName(std::uint32_t id, const std::string& name) {
   std::lock_guard<std::mutex> lock(mutex_);
-  const std::string prefix = jointPrefix(nh_.getNamespace()) + "_";
-  known_.setName(id, name, frame_id_.rfind(prefix, 0) == 0 ? frame_id_.substr(prefix.size()) : "");
+  known_.setName(id, name, nameOfFrame(frame_id_));
   const std::string text = "front " + std::to_string(id) + " is called '" + name + "' now";
   const std::vector<core::LearnedModel> kept = known_.jointModels();
   const bool is_kept = std::any_of(kept.begin(), kept.end(), [id](const auto& model) { return model.id == id; });

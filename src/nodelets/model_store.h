@@ -87,6 +87,8 @@ class ModelStore {
   std::vector<core::LearnedModel> jointModels(std::string* frame_id = nullptr) const;
 
  private:
+  std::string nameOfFrame(const std::string& frame_id) const;
+
   void restart(const core::ModelFile& models);
   KnownFrontArray listOf(const core::ModelFile& models) const;
   void greet(const ros::SingleSubscriberPublisher& subscriber) const;

@@ -87,12 +87,13 @@ class TrackingStage : public StageNodelet {
     const Eigen::Isometry3d T_fixed_camera =
         transforms_.lookup(header.frame_id, rectangles.header.frame_id, header.stamp, fixed_frame_.transform_timeout);
     const double stamp = header.stamp.toSec();
+    // Before the tracker goes on: what it says of a frame that is refused would never be sent.
+    core::DepthView view = rectangles_topic_.decode(rectangles.view);
     const auto& tracks = tracker_->process(stamp, core::transformed(rectangles_topic_.decode(rectangles), T_fixed_camera));
     health().note("tracks", static_cast<double>(tracks.size()));
     if (somebody_joined_.exchange(false)) updates_.startAnew();
     TrackArray message = toMessage(updates_.of(tracks, stamp), header);
     message.generation = generation_;
-    core::DepthView view = rectangles_topic_.decode(rectangles.view);
     view.T_fixed_camera = T_fixed_camera * view.T_fixed_camera;
     message.view = toMessage(view);
     publish(tracks_, std::move(message));

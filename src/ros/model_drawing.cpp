@@ -39,12 +39,10 @@ std::string labelOf(const core::LearnedModel& model) {
   const auto index = static_cast<size_t>(model.type);
   const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
   if (model.closed_known) std::snprintf(opening, sizeof(opening), ", %.0f %% open", 100 * model.opening);
-  std::snprintf(text, sizeof(text), " %s %.0f %%%s, %.0f %s (%.0f to %.0f)", core::modelName(model.type), 100 * probability, opening,
-                scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
+  std::snprintf(text, sizeof(text), " %s %.0f %%%s, %.0f %s (%.0f to %.0f)", core::modelName(model.type), 100 * probability,
+                opening, scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
   return front + text;
 }
-
-core::Rectangle frontAt(const core::LearnedModel& model, double q) { return {model.predict(q), model.width, model.height}; }
 
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model) {
   if (!core::modelEntry(model.type).turns)

@@ -32,9 +32,6 @@ std::string shortLabelOf(const core::LearnedModel& model);
 /// "3 fridge rotational 98 %, 34 deg (0 to 87)"; without the name where it has none.
 std::string labelOf(const core::LearnedModel& model);
 
-/// The front as the model predicts it at q (Eq. 8).
-core::Rectangle frontAt(const core::LearnedModel& model, double q);
-
 /// The hinge line along the front (rotational), or from one end of the front's centre's way to the other: from, to.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model);
 

@@ -73,7 +73,8 @@ std::optional<LabelGauge> gaugeOf(const core::LearnedModel& model) {
   const auto share = [](double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0; };
   const auto index = static_cast<std::size_t>(model.type);
   const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
-  return LabelGauge{share(probability), share((model.q - model.q_min) / (model.q_max - model.q_min))};
+  const double seen = (model.q - model.q_min) / (model.q_max - model.q_min);
+  return LabelGauge{share(probability), share(model.closed_known ? model.opening : seen)};
 }
 
 void drawLabels(std::vector<OverlayLabel> labels, cv::Mat3b* image) {

@@ -13,7 +13,7 @@ namespace cabinet_articulation {
 /// Shares that are drawn as bars below the lines of a label, 0 to 1.
 struct LabelGauge {
   double probability = 0;  ///< of the type
-  double opening = 0;      ///< of the range seen
+  double opening = 0;      ///< from closed to widest, or of the range seen
 };
 
 /// What is written beside a front.

@@ -50,6 +50,7 @@ DepthView thinnedOut(const DepthFrame& frame) {
   const int longer = std::max(disparity.cols, disparity.rows);
   if (longer == 0) return view;
   const int step = (longer + kMostCells - 1) / kMostCells;
+  if (disparity.cols < step || disparity.rows < step) return view;
   view.columns = disparity.cols / step;
   view.rows = disparity.rows / step;
   view.fx = frame.camera.fx / step;

@@ -107,23 +107,28 @@ void printModel(const std::string& file, const LearnedModel& model, double milli
               toDegrees(model.orientation_error), milliseconds);
 }
 
+/// Positions alone tell no orientation.
+ArticulationConfig configFor(const PoseLog& log, ArticulationConfig config) {
+  config.use_orientation = config.use_orientation && log.columns > 3;
+  return config;
+}
+
 /// The log without its folder is the heading.
-void plot(const std::string& file, const Track& track, const ArticulationConfig& config, const std::string& picture) {
+void plotFile(const std::string& file, const Options& options) {
   const std::string name = std::filesystem::path(file).filename().string();
-  if (!cv::imwrite(picture, plotTrack(track, config, name))) throw std::runtime_error(picture + " cannot be written");
+  const PoseLog log = readPoseLog(file);
+  if (!cv::imwrite(options.plot, plotTrack(log.track, configFor(log, options.config), name)))
+    throw std::runtime_error(options.plot + " cannot be written");
 }
 
 void fitFile(const std::string& file, const Options& options) {
-  ArticulationConfig config = options.config;
   const PoseLog log = readPoseLog(file);
   if (!log.warning.empty()) std::fprintf(stderr, "fit_track: %s: %s\n", file.c_str(), log.warning.c_str());
-  config.use_orientation = config.use_orientation && log.columns > 3;
   const auto start = std::chrono::steady_clock::now();
-  ArticulationLearner learner(config);
+  ArticulationLearner learner(configFor(log, options.config));
   const std::vector<LearnedModel> models = learner.process({log.track});
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   printModel(file, models.at(0), elapsed.count());
-  if (!options.plot.empty()) plot(file, log.track, config, options.plot);
 }
 
 int run(int argc, char** argv) {
@@ -139,16 +144,20 @@ int run(int argc, char** argv) {
   for (const std::string& file : options.files) {
     try {
       fitFile(file, options);
-    } catch (const PoseLogError& error) {
-      std::printf("%s,error,,,,,,,,\n", file.c_str());
-      std::fprintf(stderr, "fit_track: %s\n", error.what());
-      status = 1;
     } catch (const std::exception& error) {
+      std::printf("%s,error,,,,,,,,\n", file.c_str());
       std::fprintf(stderr, "fit_track: %s\n", error.what());
       status = 1;
     }
   }
-  return status;
+  if (status != 0 || options.plot.empty()) return status;
+  try {
+    plotFile(options.files.front(), options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "fit_track: %s\n", error.what());
+    return 1;
+  }
+  return 0;
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ std::vector<TrackUpdate> TrackUpdates::of(const std::vector<Track>& tracks, doub
     update.track.id = track.id;
     update.track.width = track.width;
     update.track.height = track.height;
+    update.track.hollow = track.hollow;
     update.track.revision = track.revision;
     update.track.observations.assign(track.observations.begin() + update.first, track.observations.end());
     now[track.id] = {track.revision, track.observations.size(), track.observations.back().stamp,
@@ -81,6 +82,7 @@ const std::vector<Track>& TrackAssembly::add(std::vector<TrackUpdate> updates) {
     if (continues) {
       track.width = update.track.width;
       track.height = update.track.height;
+      track.hollow = update.track.hollow;
       track.observations.resize(update.first);
       track.observations.insert(track.observations.end(), update.track.observations.begin(), update.track.observations.end());
     }

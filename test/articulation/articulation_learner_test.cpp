@@ -30,6 +30,13 @@ TEST(ArticulationLearner, LearnsADoor) {
   }
 }
 
+TEST(ArticulationLearner, SaysWhichFrontsWereSeenToBeHollow) {
+  Track track = syntheticTrack(door());
+  EXPECT_FALSE(learn(track).hollow);
+  track.hollow = true;
+  EXPECT_TRUE(learn(track).hollow);
+}
+
 TEST(ArticulationLearner, LearnsADrawer) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SyntheticFront front = drawer();

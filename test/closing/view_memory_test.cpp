@@ -39,6 +39,9 @@ TEST(ViewMemory, StartsAnewWhenTimeIsSetBack) {
   EXPECT_EQ(memory.views()[0].stamp, 2);
   memory.add(DepthView());
   EXPECT_EQ(memory.views().size(), 1u) << "nothing was seen";
+  memory.add(viewAt(3));
+  memory.add(viewAt(3));
+  EXPECT_EQ(memory.views().size(), 2u) << "sent twice";
 }
 
 }  // namespace

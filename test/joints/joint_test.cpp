@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "cabinet_articulation/joints/prediction.h"
 #include "support/models.h"
 #include "support/throws_saying.h"
 
@@ -85,6 +86,8 @@ TEST(Joint, OpeningCountsFromClosedToTheWidestSeen) {
 
 TEST(Joint, IsTheSameWhenItCountsFromWhereItIsClosed) {
   for (LearnedModel model : {test::doorModel(), test::drawerModel()}) {
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) model.covariance(i, j) = 1e-5 / (1 + i + j);
     for (const double closed : {model.q_min - 0.2, model.q_max + 0.2}) {
       model.closed_known = true;
       model.q_closed = closed;
@@ -94,6 +97,8 @@ TEST(Joint, IsTheSameWhenItCountsFromWhereItIsClosed) {
       EXPECT_NEAR(counted.q_min, 0.2, 1e-12);
       EXPECT_NEAR(counted.q_max - counted.q_min, model.q_max - model.q_min, 1e-12);
       EXPECT_NEAR(openingAt(counted, counted.q), openingAt(model, model.q), 1e-12);
+      const UncertainPose widest = predictWithCovariance(model, openEnd(model, closed));
+      EXPECT_TRUE(predictWithCovariance(counted, counted.q_max).covariance.isApprox(widest.covariance, 1e-9)) << closed;
     }
   }
   LearnedModel known = test::doorModel();

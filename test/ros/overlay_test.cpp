@@ -103,6 +103,11 @@ TEST(Overlay, GaugesGrowWithProbabilityAndOpening) {
   EXPECT_FALSE(gaugeOf(test::restingModel()));
   drawer.q = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(gaugeOf(drawer)->opening, 0);
+  // First seen open: q grows as it closes.
+  drawer.q = drawer.q_max;
+  drawer.closed_known = true;
+  drawer.opening = 0;
+  EXPECT_EQ(gaugeOf(drawer)->opening, 0);
 }
 
 TEST(Overlay, LabelsAreWhiteOnDarkWhateverIsBelow) {

@@ -40,6 +40,8 @@ TEST(DepthView, HasTheSurfaceInTheMiddleOfACellAndNothingWhereNothingWasMeasured
   EXPECT_EQ(view.at(10, 10), 0);
   EXPECT_NEAR(view.at(60, 10), frame.camera.depth(20), 1e-4);
   EXPECT_TRUE(thinnedOut(DepthFrame()).empty());
+  frame.disparity = cv::Mat1f(10, 1280, 20.0F);
+  EXPECT_EQ(thinnedOut(frame).columns, 0) << "too flat for a row of cells";
 }
 
 }  // namespace

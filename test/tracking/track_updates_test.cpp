@@ -43,6 +43,7 @@ class TrackUpdatesTest : public testing::Test {
       EXPECT_EQ(put_together.id, tracks_[i].id);
       EXPECT_EQ(put_together.revision, tracks_[i].revision);
       EXPECT_EQ(put_together.width, tracks_[i].width);
+      EXPECT_EQ(put_together.hollow, tracks_[i].hollow);
       ASSERT_EQ(put_together.observations.size(), tracks_[i].observations.size());
       for (size_t k = 0; k < tracks_[i].observations.size(); ++k) {
         EXPECT_EQ(put_together.observations[k].stamp, tracks_[i].observations[k].stamp);
@@ -68,6 +69,13 @@ TEST_F(TrackUpdatesTest, HoldWhatIsNewAfterTheLastThatIsKnown) {
     assembly_.add(updates);
     expectSame();
   }
+}
+
+TEST_F(TrackUpdatesTest, SayThatAFrontWasSeenToBeHollow) {
+  assembly_.add(frame(1));
+  tracks_[0].hollow = true;
+  assembly_.add(frame(1));
+  expectSame();
 }
 
 TEST_F(TrackUpdatesTest, AreWholeWhereEarlierObservationsChanged) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/geometry/rectangle.h"
 
 namespace cabinet_articulation::core {
 
@@ -33,11 +34,17 @@ void requireJoint(const LearnedModel& model);
 /// The frame that rests: at the axis point (where q is an angle) or at the front with q = 0, z along the axis.
 Eigen::Isometry3d jointBase(const LearnedModel& model);
 
+/// The front at q.
+Rectangle frontAt(const LearnedModel& model, double q);
+
 /// The end of the range that was seen which is farther from where the front is closed: the widest seen, or its end.
 double openEnd(const LearnedModel& model, double q_closed);
 
 /// 0 closed, 1 at openEnd(); NaN while the closed position is unknown.
 double openingAt(const LearnedModel& model, double q);
+
+/// Throws ModelError for what is no joint, or a joint that was not seen closed.
+void requireClosed(const LearnedModel& model);
 
 /// The q of an opening. Throws ModelError while the closed position is unknown.
 double configurationAtOpening(const LearnedModel& model, double opening);

@@ -29,7 +29,9 @@ struct StereoConfig {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit("matcher", self.matcher, Choices{"own", "opencv"},
-          "opencv: StereoBM; own: the same disparities in about half of its time, and StereoBM where windows exceed 21 px");
+          "opencv: StereoBM; own: the same disparities in about half of its time, and StereoBM where windows are too large "
+          "(above 21 px at the "
+          "default cap)");
     visit("disparity_range", self.disparity_range, Range{16, 1024}, "px", "number of disparities searched, a multiple of 16");
     visit("min_disparity", self.min_disparity, Range{-1024, 1024}, "px", "smallest disparity searched");
     visit("correlation_window_size", self.correlation_window_size, Range{5, 255}, "px", "side of the matched block, odd");

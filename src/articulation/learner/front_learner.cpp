@@ -112,6 +112,7 @@ bool FrontLearner::update(const Track& track) {
   front_.id = track.id;
   front_.width = track.width;
   front_.height = track.height;
+  front_.hollow = track.hollow;
   learn(track);
   if (candidates_.empty()) return false;
   if (!weighEvidence() && !findOtherJoint(track)) {

@@ -50,9 +50,8 @@ std::string endsText(const core::LearnedModel& model) {
 }
 
 std::string closedText(const core::LearnedModel& model) {
-  if (std::isnan(model.q_closed)) return "not known: 0 is the first place seen";
-  return format("at %.1f %s, %s", shownScale(model) * model.q_closed, shownUnit(model),
-                model.closed_known ? "observed" : "supposed");
+  if (!model.closed_known) return "not known";
+  return format("at %.1f %s", shownScale(model) * model.q_closed, shownUnit(model));
 }
 
 std::string sizeText(const core::LearnedModel& model) {
@@ -103,7 +102,7 @@ std::string unseenText(std::vector<Range> gaps, double end) {
     else
       text += gap.to >= end ? format("after %.1f s", gap.from) : format("%.1f to %.1f s", gap.from, gap.to);
   }
-  if (all > gaps.size()) text += format("and %zu shorter times", all - gaps.size());
+  if (all > gaps.size()) text += format(" and %zu shorter times", all - gaps.size());
   return text + format("; %.1f s in all", sum);
 }
 

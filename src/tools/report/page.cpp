@@ -35,7 +35,7 @@ std::string jointTable(const RunRecord& record) {
   std::string html = element("h2", "Joints") + "<table>\n" + tableRow("th", frontColumns());
   for (const FrontRecord* front : record.moved()) html += frontRow(*front);
   return html +
-         "</table>\n<p class=\"note\">Opening: 0 is the first place seen, unless it is said where the front is closed. Axis: "
+         "</table>\n<p class=\"note\">Opening: 0 is the first place seen; where it is closed is said in its section. Axis: "
          "standard deviation of its direction and place. Residuals: mean distance of the observations from the joint.</p>\n";
 }
 
