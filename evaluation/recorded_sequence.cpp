@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
@@ -27,6 +28,7 @@ YAML::Node load(const std::string& path) {
 
 StereoCamera readCamera(const YAML::Node& calibration) {
   const YAML::Node left = calibration["left"];
+  if (!left || !calibration["right"]) throw std::runtime_error("holds no calibration of `left` and `right`");
   return StereoCamera::fromProjections(left["width"].as<int>(), left["height"].as<int>(), left["P"].as<std::array<double, 12>>(),
                                        calibration["right"]["P"].as<std::array<double, 12>>());
 }
@@ -75,12 +77,8 @@ class RecordedSequence : public FrameSource {
   explicit RecordedSequence(const std::string& folder) : folder_(folder) {
     while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
     name_ = folder_.substr(folder_.find_last_of('/') + 1);
-    const std::string calibration = folder_ + "/calibration.json", truth = folder_ + "/truth.json";
-    try {
-      camera_ = readCamera(load(calibration));
-    } catch (const std::exception& error) {
-      throw std::runtime_error(calibration + ": " + error.what());
-    }
+    const std::string truth = folder_ + "/truth.json";
+    camera_ = readCalibration();
     try {
       for (const YAML::Node& frame : load(truth)["frames"]) frames_.push_back(readTruth(frame));
     } catch (const YAML::Exception& error) {
@@ -107,6 +105,16 @@ class RecordedSequence : public FrameSource {
   }
 
  private:
+  StereoCamera readCalibration() const {
+    const std::string file = folder_ + "/calibration.json", truth = folder_ + "/truth.json";
+    const bool own_file = std::filesystem::exists(file);
+    try {
+      return readCamera(own_file ? load(file) : load(truth)["calibration"]);
+    } catch (const std::exception& error) {
+      throw std::runtime_error((own_file ? file : truth) + ": " + error.what());
+    }
+  }
+
   static Frame readTruth(const YAML::Node& node) {
     Frame frame;
     frame.stamp = node["stamp"].as<double>();

@@ -80,6 +80,14 @@ TEST_F(RecordedSequenceTest, ARotationThatWasRoundedIsARotationAllTheSame) {
   EXPECT_NEAR(std::atan2(R(1, 0), R(0, 0)), 0.5, 1e-4);
 }
 
+TEST_F(RecordedSequenceTest, TakesTheCalibrationFromTheTruthIfItHasNoFile) {
+  fs::remove(folder_ / "calibration.json");
+  write("truth.json", std::string(R"({"calibration": )") + kCalibration + R"(, "frames": []})");
+  EXPECT_NEAR(openRecordedSequence(folder_.string())->camera().baseline, 0.09, 1e-12);
+  write("truth.json", kTruth);
+  EXPECT_NE(errorOfFirstFrame().find("calibration"), std::string::npos);
+}
+
 TEST_F(RecordedSequenceTest, NamesTheFileThatIsWrong) {
   fs::remove(folder_ / "right_0000.png");
   EXPECT_NE(errorOfFirstFrame().find("right_0000.png"), std::string::npos);
