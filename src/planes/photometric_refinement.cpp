@@ -6,8 +6,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "geometry/median.h"
-
 namespace cabinet_articulation::core {
 namespace {
 
@@ -15,8 +13,6 @@ constexpr double kBlur = 0.5;          ///< [px]
 constexpr size_t kLeastPixels = 100;   ///< six unknowns from fewer pixels are noise
 constexpr float kHuber = 2;            ///< [sigma] residuals beyond count linearly
 constexpr float kReject = 4;           ///< [sigma] and beyond this not at all
-constexpr float kLeastSigma = 0.5F;    ///< [grey levels] quantisation
-constexpr size_t kNoisePixels = 512;   ///< enough for a median
 constexpr double kMaxRowShift = 2;     ///< [px] a worse rectification is no business of ours
 constexpr double kConverged = 2e-3;    ///< [px]
 constexpr double kMaxDeviation = 0.2;  ///< [px] block matching knows it better than that
@@ -24,7 +20,7 @@ constexpr double kMaxDeviation = 0.2;  ///< [px] block matching knows it better 
 constexpr int kUnknowns = 6;
 constexpr int kProducts = kUnknowns * (kUnknowns + 1) / 2;
 constexpr int kSums = kProducts + kUnknowns;
-constexpr int kLanes = 8;  ///< partial sums, fixed so that every processor adds in the same order
+constexpr int kLanes = RefinementSamples::kLanes;
 
 using Lane = float[kLanes];
 
@@ -58,7 +54,7 @@ __attribute__((target_clones("avx2", "default"))) void addRows(const Rows& rows,
     Lane derivative[kUnknowns], weight, residual;
     for (int lane = 0; lane < kLanes; ++lane) {
       const size_t i = start + lane;
-      const float slope = 0.5F * (gain * rows.gradient[i] + rows.slope[i]);
+      const float slope = (gain * rows.gradient[i] + rows.slope[i]) / 2;
       derivative[0][lane] = slope * rows.x[i];
       derivative[1][lane] = slope * rows.y[i];
       derivative[2][lane] = slope;
@@ -96,12 +92,6 @@ struct PhotometricRefinement::Step {
   double deviation;                           ///< [px] standard deviation of the worst of a, b and c
 };
 
-void PhotometricRefinement::Samples::resize(size_t n) {
-  row.resize(n);
-  for (std::vector<float>* values : {&u, &x, &y, &left, &slope, &inside, &right, &gradient, &row_gradient, &residual, &seen})
-    values->resize(n);
-}
-
 PhotometricRefinement::PhotometricRefinement(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
 
 void PhotometricRefinement::process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set) {
@@ -116,13 +106,15 @@ void PhotometricRefinement::process(const DepthFrame& frame, const cv::Mat1f& li
 
 std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& frame, const cv::Mat1f& limit,
                                                             const GrownRegion& region, const RegionSet& set) {
-  takeSamples(frame, limit, region, set);
+  samples_.take(frame, limit, config_.refine_pixels, region, set);
+  samples_.describe(left_);
   if (samples_.size() < kLeastPixels) return std::nullopt;
   const DisparityPlane& start = region.plane;
-  Estimate e{start.a * scale_, start.b * scale_, start.at(center_u_, center_v_), 0, 1, 0};
+  const double scale = samples_.scale(), center_u = samples_.centerU(), center_v = samples_.centerV();
+  PhotometricEstimate e{start.a * scale, start.b * scale, start.at(center_u, center_v), 0, 1, 0};
   for (int iteration = 0; iteration < config_.refine_iterations; ++iteration) {
-    warp(e);
-    const auto change = step(e.gain, noise());
+    samples_.warp(right_, cx_difference_, e);
+    const auto change = step(e.gain, samples_.noise());
     if (!change || !(change->deviation <= kMaxDeviation)) return std::nullopt;
     const auto& delta = change->value;
     e.a += delta[0];
@@ -134,102 +126,17 @@ std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& fr
     if (delta.head<3>().lpNorm<1>() < kConverged) break;
   }
   DisparityPlane plane;
-  plane.a = e.a / scale_;
-  plane.b = e.b / scale_;
-  plane.c = e.c - plane.a * center_u_ - plane.b * center_v_;
+  plane.a = e.a / scale;
+  plane.b = e.b / scale;
+  plane.c = e.c - plane.a * center_u - plane.b * center_v;
   if (!(largestShift(region, set, plane) <= config_.refine_max_shift)) return std::nullopt;
   return plane;
-}
-
-void PhotometricRefinement::takeSamples(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region,
-                                        const RegionSet& set) {
-  const int step = 1 + region.cells * kCell * kCell / config_.refine_pixels;
-  samples_.resize(0);
-  int phase = 0;  // carried over from row to row, so that the pixels do not line up in columns
-  for (int i = region.first_run; i < region.last_run; ++i) {
-    const CellRun& run = set.runs[i];
-    for (int v = run.row * kCell; v < (run.row + 1) * kCell; ++v) {
-      const int end = std::min(run.end * kCell, left_.cols - 1);
-      int u = std::max(run.begin * kCell, 1) + phase;
-      for (; u < end; u += step) {
-        if (std::abs(frame.disparity(v, u) - region.plane.at(u, v)) > limit(v, u)) continue;
-        samples_.u.push_back(static_cast<float>(u));
-        samples_.row.push_back(v);
-      }
-      phase = u - end;
-    }
-  }
-  describeSamples(samples_.u.size());
-}
-
-void PhotometricRefinement::describeSamples(size_t n) {
-  samples_.resize((n + kLanes - 1) / kLanes * kLanes);
-  double sum_u = 0, sum_v = 0;
-  for (size_t i = 0; i < n; ++i) {
-    sum_u += samples_.u[i];
-    sum_v += samples_.row[i];
-  }
-  center_u_ = sum_u / std::max<size_t>(n, 1);
-  center_v_ = sum_v / std::max<size_t>(n, 1);
-  scale_ = 1;
-  for (size_t i = 0; i < n; ++i)
-    scale_ = std::max({scale_, std::abs(samples_.u[i] - center_u_), std::abs(samples_.row[i] - center_v_)});
-  for (size_t i = 0; i < samples_.size(); ++i) {
-    samples_.inside[i] = i < n;
-    if (i >= n) {
-      samples_.u[i] = samples_.u[0];
-      samples_.row[i] = samples_.row[0];
-    }
-    const int u = static_cast<int>(samples_.u[i]);
-    const std::uint8_t* left = left_[samples_.row[i]] + u;
-    samples_.x[i] = static_cast<float>((u - center_u_) / scale_);
-    samples_.y[i] = static_cast<float>((samples_.row[i] - center_v_) / scale_);
-    samples_.left[i] = left[0];
-    samples_.slope[i] = 0.5F * (left[1] - left[-1]);
-  }
-}
-
-/// The right image at the samples' places, bilinear, and its derivatives.
-void PhotometricRefinement::warp(const Estimate& e) {
-  const float a = static_cast<float>(e.a), b = static_cast<float>(e.b), c = static_cast<float>(e.c + cx_difference_);
-  const float gain = static_cast<float>(e.gain), offset = static_cast<float>(e.offset);
-  const int rows_down = static_cast<int>(std::floor(e.row_shift));
-  const float g = static_cast<float>(e.row_shift - rows_down);
-  const float last_column = static_cast<float>(right_.cols) - 1.001F;
-  for (size_t i = 0; i < samples_.size(); ++i) {
-    const float wanted = samples_.u[i] - (a * samples_.x[i] + b * samples_.y[i] + c);
-    const float place = std::min(std::max(wanted, 0.0F), last_column);
-    const int column = static_cast<int>(place);
-    const int row = std::min(std::max(samples_.row[i] + rows_down, 0), right_.rows - 2);
-    const float f = place - static_cast<float>(column);
-    const std::uint8_t* up = right_[row] + column;
-    const std::uint8_t* down = up + right_.step;
-    const float slope_up = static_cast<float>(up[1] - up[0]), slope_down = static_cast<float>(down[1] - down[0]);
-    const float value_up = up[0] + f * slope_up, value_down = down[0] + f * slope_down;
-    samples_.right[i] = value_up + g * (value_down - value_up);
-    samples_.gradient[i] = slope_up + g * (slope_down - slope_up);
-    samples_.row_gradient[i] = value_down - value_up;
-    samples_.residual[i] = samples_.left[i] - gain * samples_.right[i] - offset;
-    samples_.seen[i] = place == wanted ? samples_.inside[i] : 0;
-  }
-}
-
-/// [grey levels] robust standard deviation of the residuals.
-float PhotometricRefinement::noise() {
-  const size_t stride = std::max<size_t>(1, samples_.size() / kNoisePixels);
-  sorted_.clear();
-  for (size_t i = 0; i < samples_.size(); i += stride)
-    if (samples_.seen[i] > 0) sorted_.push_back(std::abs(samples_.residual[i]));
-  if (sorted_.empty()) return kLeastSigma;
-  const auto middle = sorted_.begin() + sorted_.size() / 2;
-  std::nth_element(sorted_.begin(), middle, sorted_.end());
-  return std::max(static_cast<float>(kDeviationToSigma) * *middle, kLeastSigma);
 }
 
 /// One Gauss-Newton step. The slope is the mean of both images', which doubles the order of convergence.
 std::optional<PhotometricRefinement::Step> PhotometricRefinement::step(double gain, float sigma) const {
   Lane sums[kSums] = {};
-  const Samples& s = samples_;
+  const RefinementSamples& s = samples_;
   addRows({s.x.data(), s.y.data(), s.slope.data(), s.right.data(), s.gradient.data(), s.row_gradient.data(), s.residual.data(),
            s.seen.data(), s.size()},
           static_cast<float>(gain), sigma, sums);

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/planes/planes_config.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
+#include "planes/refinement_samples.h"
 #include "planes/region_growing.h"
 
 namespace cabinet_articulation::core {
@@ -28,35 +29,16 @@ class PhotometricRefinement {
   void process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set);
 
  private:
-  /// disparity = a x + b y + c in the samples' coordinates.
-  struct Estimate {
-    double a, b, c, row_shift, gain, offset;
-  };
-  /// Pixels of a region. x and y are relative to its centre and scaled to +-1, which keeps sums in float well
-  /// conditioned. The number is a multiple of the sums' lanes; what was added for that has `inside` 0.
-  struct Samples {
-    std::vector<int> row;
-    std::vector<float> u, x, y, left, slope, inside;                   ///< slope: of the left image, along u
-    std::vector<float> right, gradient, row_gradient, residual, seen;  ///< of the current estimate; seen: not off the image
-    void resize(size_t n);
-    size_t size() const { return u.size(); }
-  };
   struct Step;
 
   std::optional<DisparityPlane> refine(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region,
                                        const RegionSet& set);
-  void takeSamples(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region, const RegionSet& set);
-  void describeSamples(size_t n);
-  void warp(const Estimate& estimate);
-  float noise();
   std::optional<Step> step(double gain, float sigma) const;
 
   PlanesConfig config_;
   cv::Mat1b left_, right_;
   double cx_difference_ = 0;
-  double center_u_ = 0, center_v_ = 0, scale_ = 1;
-  Samples samples_;
-  std::vector<float> sorted_;
+  RefinementSamples samples_;
 };
 
 }  // namespace cabinet_articulation::core
