@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kWidest = 3;       ///< [px]
 constexpr float kAgreement = 1;  ///< [px] a plane seen at 80 degrees changes by this across a hole
-constexpr float kNothing = 0;
 
 /// Distance [px] along `stride` to the next measured pixel, or 0 if it is beyond `reach`.
 int toNextMeasured(const float* pixel, int stride, int reach) {
@@ -19,13 +18,13 @@ int toNextMeasured(const float* pixel, int stride, int reach) {
   return 0;
 }
 
-/// Linear between the hole's ends along `stride`.
+/// Linear between the hole's ends along `stride`; 0 if they are too far apart.
 float interpolate(const float* pixel, int stride) {
   const int before = toNextMeasured(pixel, -stride, kWidest);
   const int after = before ? toNextMeasured(pixel, stride, kWidest + 1 - before) : 0;
-  if (!after) return kNothing;
+  if (!after) return 0;
   const float first = pixel[-before * stride], last = pixel[after * stride];
-  if (std::abs(first - last) > kAgreement) return kNothing;
+  if (std::abs(first - last) > kAgreement) return 0;
   return (first * static_cast<float>(after) + last * static_cast<float>(before)) / static_cast<float>(before + after);
 }
 
@@ -40,7 +39,7 @@ void fillHoles(const cv::Mat1f& disparity, cv::Mat1f* filled) {
     for (int u = kWidest; u < disparity.cols - kWidest; ++u) {
       if (isValidDisparity(in[u])) continue;
       out[u] = interpolate(in + u, 1);
-      if (out[u] == kNothing) out[u] = interpolate(in + u, row_stride);
+      if (out[u] == 0) out[u] = interpolate(in + u, row_stride);
     }
   }
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes/plane_mask.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cabinet_articulation::core {
-namespace {
+namespace detail {
 
 /// One image row of a plane: disparity = slope u + start.
 struct RowPlane {
@@ -13,6 +15,12 @@ struct RowPlane {
   float slope, start;
 };
 
+}  // namespace detail
+namespace {
+
+using detail::RowPlane;
+constexpr int kBlock = 32;  ///< [px] side
+
 // Selections without branches, so that the loops vectorise. A point in front of the plane has the larger disparity.
 inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance, int in_plane) {
   const int outside = residual > 0 ? kOccluded : kFree;
@@ -20,12 +28,48 @@ inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance
   return static_cast<std::uint8_t>(isValidDisparity(disparity) ? label : kUnknown);
 }
 
-__attribute__((target_clones("avx2", "default"))) void labelRow(const float* disparity, const float* limit, int n, RowPlane plane,
-                                                                DisparityTolerance tolerance, std::uint8_t* out) {
-  for (int u = 0; u < n; ++u) {
+/// Everything that does not depend on a plane, of a row with `n` pixels.
+struct PixelRow {
+  const float *disparity, *limit, *tolerance;
+  std::uint8_t* labels;
+};
+
+__attribute__((target_clones("avx2", "default"))) void labelPart(const PixelRow& row, int begin, int end, RowPlane plane) {
+  const float* __restrict disparity = row.disparity;
+  const float* __restrict limit = row.limit;
+  const float* __restrict tolerance = row.tolerance;
+  std::uint8_t* __restrict labels = row.labels;
+  for (int u = begin; u < end; ++u) {
     const float residual = disparity[u] - plane.at(u);
     const int in_plane = std::abs(residual) > limit[u] ? kOtherPlane : kInPlane;
-    out[u] = chooseLabel(disparity[u], residual, tolerance.at(disparity[u]), in_plane);
+    const int outside = residual > 0 ? kOccluded : kFree;
+    const int label = std::abs(residual) <= tolerance[u] ? in_plane : outside;
+    labels[u] = static_cast<std::uint8_t>(tolerance[u] < 0 ? kUnknown : label);
+  }
+}
+
+/// What planes behind and before everything say of a row, and the range of its columns so far.
+struct FrameRow {
+  const float* disparity;
+  float *tolerance, *least, *most;
+  std::uint8_t *free, *occluded;
+};
+
+__attribute__((target_clones("avx2", "default"))) void addRow(const FrameRow& row, int n, DisparityTolerance tolerance) {
+  const float* __restrict disparity = row.disparity;
+  float* __restrict tolerances = row.tolerance;
+  float* __restrict least = row.least;
+  float* __restrict most = row.most;
+  std::uint8_t* __restrict free = row.free;
+  std::uint8_t* __restrict occluded = row.occluded;
+  for (int u = 0; u < n; ++u) {
+    const float d = disparity[u];
+    const bool valid = isValidDisparity(d);
+    tolerances[u] = valid ? tolerance.at(d) : -1;
+    least[u] = valid ? std::min(least[u], d) : least[u];
+    most[u] = valid ? std::max(most[u], d) : most[u];
+    free[u] = valid ? kFree : kUnknown;
+    occluded[u] = valid ? kOccluded : kUnknown;
   }
 }
 
@@ -36,10 +80,65 @@ __attribute__((target_clones("avx2", "default"))) void labelRow(const float* dis
 
 }  // namespace
 
-void labelByNoise(const cv::Mat1f& disparity, const DisparityPlane& plane, const DisparityTolerance& tolerance,
-                  const cv::Mat1f& limit, cv::Mat1b* mask) {
-  mask->create(disparity.size());
-  for (int v = 0; v < mask->rows; ++v) labelRow(disparity[v], limit[v], mask->cols, RowPlane(plane, v), tolerance, (*mask)[v]);
+void NoiseMask::setFrame(const cv::Mat1f& disparity, const DisparityTolerance& tolerance, const cv::Mat1f& limit) {
+  disparity_ = disparity;
+  limit_ = limit;
+  tolerance_.create(disparity.size());
+  free_.create(disparity.size());
+  occluded_.create(disparity.size());
+  ranges_.clear();
+  for (int top = 0; top < disparity.rows; top += kBlock) addBand(top, std::min(top + kBlock, disparity.rows), tolerance);
+}
+
+/// The ranges of a row of blocks.
+void NoiseMask::addBand(int top, int bottom, const DisparityTolerance& tolerance) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const int n = disparity_.cols;
+  least_.assign(n, kInfinity);
+  most_.assign(n, -kInfinity);
+  for (int v = top; v < bottom; ++v)
+    addRow({disparity_[v], tolerance_[v], least_.data(), most_.data(), free_[v], occluded_[v]}, n, tolerance);
+  for (int begin = 0; begin < n; begin += kBlock) {
+    const int end = std::min(begin + kBlock, n);
+    const float most = *std::max_element(most_.begin() + begin, most_.begin() + end);
+    ranges_.push_back({*std::min_element(least_.begin() + begin, least_.begin() + end), most, tolerance.at(std::max(most, 0.F))});
+  }
+}
+
+// Rounding keeps the order of numbers: no pixel of a block has a residual outside of those of the block's ends, to the last bit.
+NoiseMask::Place NoiseMask::placeOf(const Range& range, const RowPlane& first, const RowPlane& last, int begin, int end) {
+  const auto [least, most] = std::minmax({first.at(begin), first.at(end - 1), last.at(begin), last.at(end - 1)});
+  if (range.most - least < -range.tolerance) return Place::kBehind;
+  return range.least - most > range.tolerance ? Place::kBefore : Place::kAcross;
+}
+
+void NoiseMask::label(const DisparityPlane& plane, cv::Mat1b* mask) const {
+  mask->create(disparity_.size());
+  auto range = ranges_.begin();
+  for (int top = 0; top < mask->rows; top += kBlock) {
+    const int bottom = std::min(top + kBlock, mask->rows);
+    const RowPlane first(plane, top), last(plane, bottom - 1);
+    Place place = Place::kAcross;  // of the blocks from `begin` on
+    int begin = 0;
+    for (int u = 0; u < mask->cols; u += kBlock, ++range) {
+      const Place next = placeOf(*range, first, last, u, std::min(u + kBlock, mask->cols));
+      if (next != place) labelBlocks(plane, place, {begin, top, u - begin, bottom - top}, mask);
+      if (next != place) begin = u;
+      place = next;
+    }
+    labelBlocks(plane, place, {begin, top, mask->cols - begin, bottom - top}, mask);
+  }
+}
+
+void NoiseMask::labelBlocks(const DisparityPlane& plane, Place place, const cv::Rect& box, cv::Mat1b* mask) const {
+  if (box.empty()) return;
+  const cv::Mat1b& whole = place == Place::kBehind ? free_ : occluded_;
+  for (int v = box.y; v < box.y + box.height; ++v) {
+    if (place == Place::kAcross)
+      labelPart({disparity_[v], limit_[v], tolerance_[v], (*mask)[v]}, box.x, box.x + box.width, RowPlane(plane, v));
+    else
+      std::copy_n(whole[v] + box.x, box.width, (*mask)[v] + box.x);
+  }
 }
 
 // With p = z r and disparity = f B / z, the distance to the plane is offset |disparity - disparity of the plane| / disparity.

@@ -93,6 +93,7 @@ struct PlaneSegmenter::Buffers {
   DuplicateMerger merger;
   RegionCompetition competition;
   PhotometricRefinement refinement;
+  NoiseMask noise_mask;
   EnclosedHoles holes;
   ImagePool<cv::Mat1b> masks;
 };
@@ -126,12 +127,14 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
 
   std::vector<PlaneRegion> regions;
   const cv::Mat1f& limit = b.competition.process(disparity, set);
-  const DisparityTolerance tolerance(frame.camera, config_.mask_tolerance_px, config_.mask_tolerance_m, config_.tolerance_cap);
+  b.noise_mask.setFrame(
+      disparity, DisparityTolerance(frame.camera, config_.mask_tolerance_px, config_.mask_tolerance_m, config_.tolerance_cap),
+      limit);
   for (const GrownRegion& grown : set.regions) {
     const auto plane = toPlane(grown.plane, frame.camera);
     if (!plane || !isNear(*plane, grown.plane)) continue;
     cv::Mat1b mask = b.masks.take(disparity.size());
-    labelByNoise(disparity, grown.plane, tolerance, limit, &mask);
+    b.noise_mask.label(grown.plane, &mask);
     regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set), mask});
     b.holes.label(regions.back().hull, regions.back().inliers, &mask);
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "stereo/synthetic_pair.h"
@@ -13,10 +14,16 @@ namespace {
 const StereoCamera kCamera = testCamera(64, 4);
 const DisparityTolerance kTolerance(kCamera, 0.8, 0.008, 2);
 
-int labelOf(float disparity, const DisparityPlane& plane, float limit = 1e6F) {
-  const cv::Mat1f image(4, 64, disparity), limits(4, 64, limit);
+cv::Mat1b maskOf(const cv::Mat1f& disparity, const DisparityPlane& plane, const cv::Mat1f& limits) {
+  NoiseMask labels;
+  labels.setFrame(disparity, kTolerance, limits);
   cv::Mat1b mask;
-  labelByNoise(image, plane, kTolerance, limits, &mask);
+  labels.label(plane, &mask);
+  return mask;
+}
+
+int labelOf(float disparity, const DisparityPlane& plane, float limit = 1e6F) {
+  const cv::Mat1b mask = maskOf(cv::Mat1f(4, 64, disparity), plane, cv::Mat1f(4, 64, limit));
   EXPECT_EQ(cv::countNonZero(mask != mask(0, 0)), 0) << "the same in every column";
   return mask(0, 0);
 }
@@ -55,10 +62,33 @@ TEST(PlaneMask, FollowsSlantedPlanesOverRowsAndColumns) {
   cv::Mat1f disparity(4, 64);
   for (int v = 0; v < 4; ++v)
     for (int u = 0; u < 64; ++u) disparity(v, u) = static_cast<float>(plane.at(u, v) + (u == v ? 1 : 0));
-  cv::Mat1b mask;
-  labelByNoise(disparity, plane, kTolerance, cv::Mat1f(4, 64, 1e6F), &mask);
+  const cv::Mat1b mask = maskOf(disparity, plane, cv::Mat1f(4, 64, 1e6F));
   EXPECT_EQ(cv::countNonZero(mask == kInPlane), 4 * 63);
   EXPECT_EQ(mask(3, 3), kOccluded);
+}
+
+/// Steps, slopes and holes of all sizes, so that planes lie before, behind and across blocks.
+TEST(PlaneMask, BlocksSayWhatTheirPixelsSay) {
+  cv::RNG random(1);
+  cv::Mat1f disparity(75, 101), limits(75, 101);
+  for (int v = 0; v < disparity.rows; ++v)
+    for (int u = 0; u < disparity.cols; ++u) {
+      const float surface = (u / 40 + v / 30) % 2 ? 30 + 0.1F * static_cast<float>(u) : 42.0F;
+      disparity(v, u) = random.uniform(0, 5) == 0 ? -1 : surface + random.uniform(-1.0F, 1.0F);
+      limits(v, u) = random.uniform(0.0F, 2.0F);
+    }
+  for (int i = 0; i < 200; ++i) {
+    const DisparityPlane plane{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(20.0, 50.0)};
+    const cv::Mat1b mask = maskOf(disparity, plane, limits);
+    for (int v = 0; v < mask.rows; ++v)
+      for (int u = 0; u < mask.cols; ++u) {
+        const float d = disparity(v, u);
+        const float expected = static_cast<float>(plane.a) * static_cast<float>(u) + static_cast<float>(plane.at(0, v));
+        int label = d > expected ? kOccluded : kFree;
+        if (std::abs(d - expected) <= kTolerance.at(d)) label = std::abs(d - expected) > limits(v, u) ? kOtherPlane : kInPlane;
+        ASSERT_EQ(mask(v, u), d > 0 ? label : kUnknown) << "plane " << i << " at " << u << ", " << v;
+      }
+  }
 }
 
 TEST(PlaneMask, DistancesAreMeasuredAlongTheNormal) {
