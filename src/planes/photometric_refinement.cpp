@@ -42,28 +42,29 @@ inline void addProducts(const Lane* derivative, const Lane& weight, const Lane& 
   }
 }
 
-inline float robustWeight(float residual, float sigma) {
-  const float error = std::abs(residual);
-  const float linear = kHuber * sigma / std::max(error, kHuber * sigma);
-  return error <= kReject * sigma ? linear : 0;
+/// Two loops: the division would otherwise stay behind a branch, which keeps the compiler from vectors.
+inline void robustWeights(const float* residual, const float* seen, float sigma, Lane* weight) {
+  Lane linear;
+  for (int i = 0; i < kLanes; ++i) linear[i] = kHuber * sigma / std::max(std::abs(residual[i]), kHuber * sigma);
+  for (int i = 0; i < kLanes; ++i) {
+    const float weighted = seen[i] * linear[i];
+    (*weight)[i] = std::abs(residual[i]) <= kReject * sigma ? weighted : 0;
+  }
 }
 
 /// Every processor adds the same numbers in the same order: no fused operations are among the targets.
 __attribute__((target_clones("avx2", "default"))) void addRows(const Rows& rows, float gain, float sigma, Lane* sums) {
   for (size_t start = 0; start < rows.size; start += kLanes) {
     Lane derivative[kUnknowns], weight, residual;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const size_t i = start + lane;
-      const float slope = (gain * rows.gradient[i] + rows.slope[i]) / 2;
-      derivative[0][lane] = slope * rows.x[i];
-      derivative[1][lane] = slope * rows.y[i];
-      derivative[2][lane] = slope;
-      derivative[3][lane] = -gain * rows.row_gradient[i];
-      derivative[4][lane] = -rows.right[i];
-      derivative[5][lane] = -1;
-      residual[lane] = rows.residual[i];
-      weight[lane] = rows.seen[i] * robustWeight(rows.residual[i], sigma);
-    }
+    robustWeights(rows.residual + start, rows.seen + start, sigma, &weight);
+    Lane& slope = derivative[2];
+    for (int i = 0; i < kLanes; ++i) slope[i] = (gain * rows.gradient[start + i] + rows.slope[start + i]) / 2;
+    for (int i = 0; i < kLanes; ++i) derivative[0][i] = slope[i] * rows.x[start + i];
+    for (int i = 0; i < kLanes; ++i) derivative[1][i] = slope[i] * rows.y[start + i];
+    for (int i = 0; i < kLanes; ++i) derivative[3][i] = -gain * rows.row_gradient[start + i];
+    for (int i = 0; i < kLanes; ++i) derivative[4][i] = -rows.right[start + i];
+    for (int i = 0; i < kLanes; ++i) derivative[5][i] = -1;
+    for (int i = 0; i < kLanes; ++i) residual[i] = rows.residual[start + i];
     addProducts(derivative, weight, residual, sums);
   }
 }
