@@ -19,63 +19,56 @@ struct Places {
   int rows_down, last_row, row_stride;
 };
 
-/// The arrays do not overlap, which lets the loops vectorise. Both loops are kept apart from the look-ups for the same reason.
-struct PlaceRows {
-  const float *u, *x, *y, *inside;
-  const int* row;
-  float *fraction, *seen;
-  int* place;
-};
+// The arrays do not overlap. The look-ups between these loops are apart from them, so that both vectorise.
 
-__attribute__((target_clones("avx2", "default"))) void findPlaces(const Places to, const PlaceRows& rows, size_t n) {
-  const float* __restrict u = rows.u;
-  const float* __restrict x = rows.x;
-  const float* __restrict y = rows.y;
-  const float* __restrict inside = rows.inside;
-  const int* __restrict row = rows.row;
-  float* __restrict fraction = rows.fraction;
-  float* __restrict seen = rows.seen;
-  int* __restrict place = rows.place;
+__attribute__((target_clones("avx2", "default"))) void findPlaces(const Places& to, size_t n, const float* __restrict u,
+                                                                  const int* __restrict row, const float* __restrict x,
+                                                                  const float* __restrict y, const float* __restrict inside,
+                                                                  int* __restrict place, float* __restrict fraction,
+                                                                  float* __restrict seen) {
+  const float a = to.a, b = to.b, c = to.c, last_column = to.last_column;
+  const int rows_down = to.rows_down, last_row = to.last_row, row_stride = to.row_stride;
   for (size_t i = 0; i < n; ++i) {
-    const float wanted = u[i] - (to.a * x[i] + to.b * y[i] + to.c);
-    const float inner = std::min(std::max(0.0F, wanted), to.last_column);
+    const float wanted = u[i] - (a * x[i] + b * y[i] + c);
+    const float inner = std::min(std::max(0.0F, wanted), last_column);
     const int column = static_cast<int>(inner);
-    const int up = std::min(std::max(row[i] + to.rows_down, 0), to.last_row);
+    const int up = std::min(std::max(row[i] + rows_down, 0), last_row);
+    const float is_inside = inside[i];
     fraction[i] = inner - static_cast<float>(column);
-    seen[i] = inner == wanted ? inside[i] : 0;
-    place[i] = up * to.row_stride + column;
+    seen[i] = inner == wanted ? is_inside : 0;
+    place[i] = up * row_stride + column;
   }
 }
 
-struct ValueRows {
+/// The four pixels about a sample's place.
+struct Corners {
   const std::uint8_t *up_left, *up_right, *down_left, *down_right;
-  const float *fraction, *left;
-  float *right, *gradient, *row_gradient, *residual;
 };
 
-__attribute__((target_clones("avx2", "default"))) void interpolate(const ValueRows& rows, float g, float gain, float offset,
-                                                                   size_t n) {
-  const std::uint8_t* __restrict up_left = rows.up_left;
-  const std::uint8_t* __restrict up_right = rows.up_right;
-  const std::uint8_t* __restrict down_left = rows.down_left;
-  const std::uint8_t* __restrict down_right = rows.down_right;
-  const float* __restrict fraction = rows.fraction;
-  const float* __restrict left = rows.left;
-  float* __restrict right = rows.right;
-  float* __restrict gradient = rows.gradient;
-  float* __restrict row_gradient = rows.row_gradient;
-  float* __restrict residual = rows.residual;
+__attribute__((target_clones("avx2", "default"))) void interpolate(const Corners& pixels, size_t n,
+                                                                   const float* __restrict fraction, float g,
+                                                                   float* __restrict value, float* __restrict gradient,
+                                                                   float* __restrict row_gradient) {
+  const std::uint8_t* __restrict up_left = pixels.up_left;
+  const std::uint8_t* __restrict up_right = pixels.up_right;
+  const std::uint8_t* __restrict down_left = pixels.down_left;
+  const std::uint8_t* __restrict down_right = pixels.down_right;
   for (size_t i = 0; i < n; ++i) {
     const float f = fraction[i];
     const auto slope_up = static_cast<float>(up_right[i] - up_left[i]);
     const auto slope_down = static_cast<float>(down_right[i] - down_left[i]);
     const float value_up = static_cast<float>(up_left[i]) + f * slope_up;
     const float value_down = static_cast<float>(down_left[i]) + f * slope_down;
-    right[i] = value_up + g * (value_down - value_up);
+    value[i] = value_up + g * (value_down - value_up);
     gradient[i] = slope_up + g * (slope_down - slope_up);
     row_gradient[i] = value_down - value_up;
-    residual[i] = left[i] - gain * right[i] - offset;
   }
+}
+
+__attribute__((target_clones("avx2", "default"))) void compare(size_t n, const float* __restrict left,
+                                                               const float* __restrict right, float gain, float offset,
+                                                               float* __restrict residual) {
+  for (size_t i = 0; i < n; ++i) residual[i] = left[i] - gain * right[i] - offset;
 }
 
 /// (place - center) / scale, rounded once.
@@ -187,8 +180,8 @@ void RefinementSamples::warp(const cv::Mat1b& image, double cx_difference, const
                       rows_down,
                       image.rows - 2,
                       static_cast<int>(image.step1())};
-  findPlaces(places, {u_.data(), x.data(), y.data(), inside_.data(), row_.data(), fraction_.data(), seen.data(), place_.data()},
-             size());
+  findPlaces(places, size(), u_.data(), row_.data(), x.data(), y.data(), inside_.data(), place_.data(), fraction_.data(),
+             seen.data());
   for (size_t i = 0; i < size(); ++i) {
     const std::uint8_t* up = image.data + place_[i];
     const std::uint8_t* down = up + places.row_stride;
@@ -197,9 +190,9 @@ void RefinementSamples::warp(const cv::Mat1b& image, double cx_difference, const
     down_left_[i] = down[0];
     down_right_[i] = down[1];
   }
-  interpolate({up_left_.data(), up_right_.data(), down_left_.data(), down_right_.data(), fraction_.data(), left_.data(),
-               right.data(), gradient.data(), row_gradient.data(), residual.data()},
-              static_cast<float>(e.row_shift - rows_down), static_cast<float>(e.gain), static_cast<float>(e.offset), size());
+  interpolate({up_left_.data(), up_right_.data(), down_left_.data(), down_right_.data()}, size(), fraction_.data(),
+              static_cast<float>(e.row_shift - rows_down), right.data(), gradient.data(), row_gradient.data());
+  compare(size(), left_.data(), right.data(), static_cast<float>(e.gain), static_cast<float>(e.offset), residual.data());
 }
 
 float RefinementSamples::noise() {
