@@ -15,12 +15,16 @@ constexpr float kMinPixels = 6;                ///< of a strip
 constexpr float kNoiseVariance = 4;            ///< [grey levels^2] keeps noise in textureless strips from correlating
 constexpr int kReach = EdgeProfile::kOnPlane;  ///< [px] largest disparity offset
 
-/// As by OpenCV's v_load_expand_q, which reads an int wherever the pixels are, also where none may be.
-cv::v_float32x4 load(const std::uint8_t* pixels) {
-  std::uint32_t four;
-  std::memcpy(&four, pixels, sizeof(four));
-  const cv::v_uint8x16 bytes = cv::v_reinterpret_as_u8(cv::v_uint32x4(four, 0, 0, 0));
-  return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_expand_low(cv::v_expand_low(bytes))));
+struct Eight {
+  cv::v_float32x4 low, high;
+};
+
+Eight load(const std::uint8_t* pixels) {
+  std::uint64_t eight;
+  std::memcpy(&eight, pixels, sizeof(eight));
+  cv::v_uint32x4 low, high;
+  cv::v_expand(cv::v_expand_low(cv::v_reinterpret_as_u8(cv::v_uint64x2(eight, 0))), low, high);
+  return {cv::v_cvt_f32(cv::v_reinterpret_as_s32(low)), cv::v_cvt_f32(cv::v_reinterpret_as_s32(high))};
 }
 
 void accumulate(float* sum, const cv::v_float32x4& value) { cv::v_store(sum, cv::v_load(sum) + value); }
@@ -50,12 +54,15 @@ void EdgeProfile::addRow(const Row& row, int u_begin, int u_end, Moments* halves
     m.n += 1;
     m.l += l;
     m.ll += l * l;
-    for (int i = 0; i < Moments::kLanes; i += 4) {
-      const cv::v_float32x4 here = load(right + i);
-      const cv::v_float32x4 r = cv::v_muladd(cv::v_setall_f32(fraction), load(right + i + 1) - here, here);
-      accumulate(m.r + i, r);
-      accumulate(m.rr + i, r * r);
-      accumulate(m.lr + i, cv::v_setall_f32(l) * r);
+    const Eight here = load(right), next = load(right + 1);
+    const cv::v_float32x4 f = cv::v_setall_f32(fraction), left = cv::v_setall_f32(l);
+    int lane = 0;
+    for (const cv::v_float32x4& r :
+         {cv::v_muladd(f, next.low - here.low, here.low), cv::v_muladd(f, next.high - here.high, here.high)}) {
+      accumulate(m.r + lane, r);
+      accumulate(m.rr + lane, r * r);
+      accumulate(m.lr + lane, left * r);
+      lane += cv::v_float32x4::nlanes;
     }
   }
 }
@@ -94,18 +101,27 @@ EdgeProfile::Residuals EdgeProfile::residuals(const std::array<Moments, kStrips>
     result.residual[k].fill(1);
     result.signal[k] = 0;
     if (m.n < kMinPixels) continue;
-    const float mean_l = m.l / m.n;
-    const float variance_l = m.ll / m.n - mean_l * mean_l + kNoiseVariance;
-    for (int i = 0; i < kOffsets; ++i) {
-      const int lane = kOffsets - 1 - i;  // a larger disparity lies further left in the right image
-      const float mean_r = m.r[lane] / m.n;
-      const float variance_r = m.rr[lane] / m.n - mean_r * mean_r + kNoiseVariance;
-      const float covariance = m.lr[lane] / m.n - mean_l * mean_r;
-      result.residual[k][i] = 1 - covariance / std::sqrt(variance_l * variance_r);
-      if (i == kOnPlane) result.signal[k] = std::sqrt(std::max(covariance, 0.F));
-    }
+    float covariance[Moments::kLanes], correlation[Moments::kLanes];
+    m.correlate(covariance, correlation);
+    // A larger disparity lies further left in the right image.
+    for (int i = 0; i < kOffsets; ++i) result.residual[k][i] = 1 - correlation[kOffsets - 1 - i];
+    result.signal[k] = std::sqrt(std::max(covariance[kOffsets - 1 - kOnPlane], 0.F));
   }
   return result;
+}
+
+/// By vectors of OpenCV: a compiler's square root may set errno, which keeps it from vectors.
+void EdgeProfile::Moments::correlate(float* covariance, float* correlation) const {
+  const float mean_l = l / n;
+  const float variance_l = ll / n - mean_l * mean_l + kNoiseVariance;
+  const cv::v_float32x4 pixels = cv::v_setall_f32(n);
+  for (int i = 0; i < kLanes; i += cv::v_float32x4::nlanes) {
+    const cv::v_float32x4 mean_r = cv::v_load(r + i) / pixels;
+    const cv::v_float32x4 variance_r = cv::v_load(rr + i) / pixels - mean_r * mean_r + cv::v_setall_f32(kNoiseVariance);
+    const cv::v_float32x4 both = cv::v_load(lr + i) / pixels - cv::v_setall_f32(mean_l) * mean_r;
+    cv::v_store(covariance + i, both);
+    cv::v_store(correlation + i, both / cv::v_sqrt(cv::v_setall_f32(variance_l) * variance_r));
+  }
 }
 
 void EdgeProfile::Moments::add(const Moments& other) {

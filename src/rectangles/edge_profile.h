@@ -47,6 +47,8 @@ class EdgeProfile {
     float n = 0, l = 0, ll = 0;
 
     void add(const Moments& other);
+    /// Of l and r for each disparity, with `kNoiseVariance` added to both variances.
+    void correlate(float* covariance, float* correlation) const;
   };
   struct Row;
   static void addRow(const Row& row, int u_begin, int u_end, Moments* halves[2]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "rectangles/image_edge.h"
@@ -13,6 +14,18 @@ namespace {
 constexpr double kRowShare = 0.25;  ///< of a step: rows between those that are looked at
 constexpr double kMaxRowStep = 8;   ///< [px] ours: the smallest drawers are some 60 px high
 constexpr int kMaxSweeps = 20;      ///< per step length; a guard, some five are usual
+
+using Move = void (*)(PlaneRectangle& rectangle, double distance);
+
+constexpr Move kMoves[] = {
+    [](PlaneRectangle& r, double distance) { r.moveEdge(kEdges[0], distance); },
+    [](PlaneRectangle& r, double distance) { r.moveEdge(kEdges[1], distance); },
+    [](PlaneRectangle& r, double distance) { r.moveEdge(kEdges[2], distance); },
+    [](PlaneRectangle& r, double distance) { r.moveEdge(kEdges.back(), distance); },
+    [](PlaneRectangle& r, double distance) { r.angle += 2 * distance / std::hypot(r.width, r.height); },
+    [](PlaneRectangle& r, double distance) { r.center += distance * r.xAxis(); },
+    [](PlaneRectangle& r, double distance) { r.center += distance * r.yAxis(); },
+};
 
 class GreedySearch {
  public:
@@ -25,7 +38,7 @@ class GreedySearch {
     for (double step = config_.first_step; step >= config_.last_step; step /= 2) {
       row_step_ = static_cast<int>(std::clamp(step * pixels_per_metre * kRowShare, 1.0, kMaxRowStep));
       best_.gain = gain(best_.rectangle);
-      for (int sweep = 0; sweep < kMaxSweeps && improve(step, freedom); ++sweep) continue;
+      climb(step, freedom);
     }
     row_step_ = 1;
     best_.gain = gain(best_.rectangle);
@@ -33,21 +46,19 @@ class GreedySearch {
   }
 
  private:
-  /// One sweep over all moves; true if any of them gained.
-  bool improve(double step, SearchFreedom freedom) {
-    bool improved = false;
-    if (freedom == SearchFreedom::kAll)
-      for (const Edge edge : kEdges)
-        improved |= eitherWay(step, [edge](PlaneRectangle& r, double distance) { r.moveEdge(edge, distance); });
-    improved |=
-        eitherWay(step, [](PlaneRectangle& r, double distance) { r.angle += 2 * distance / std::hypot(r.width, r.height); });
-    improved |= eitherWay(step, [](PlaneRectangle& r, double distance) { r.center += distance * r.xAxis(); });
-    improved |= eitherWay(step, [](PlaneRectangle& r, double distance) { r.center += distance * r.yAxis(); });
-    return improved;
+  /// In turn, until every move has failed since the last that gained.
+  void climb(double step, SearchFreedom freedom) {
+    const Move* const first = std::begin(kMoves) + (freedom == SearchFreedom::kAll ? 0 : std::size(kEdges));
+    const auto all = std::end(kMoves) - first;
+    std::ptrdiff_t failed = 0;
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep)
+      for (const Move* move = first; move != std::end(kMoves); ++move) {
+        failed = eitherWay(step, *move) ? 0 : failed + 1;
+        if (failed == all) return;
+      }
   }
 
-  template <class Move>
-  bool eitherWay(double step, Move&& move) {
+  bool eitherWay(double step, Move move) {
     for (const double distance : {step, -step}) {
       PlaneRectangle candidate = best_.rectangle;
       move(candidate, distance);
