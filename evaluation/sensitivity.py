@@ -1,9 +1,12 @@
 #!/usr/bin/python3
-"""What halving and doubling each setting does: sensitivity.py PROGRAMS LABELS.csv... [--file NAME] [--settings KEY...] [--also COMMAND]
+"""What halving and doubling each setting does.
 
-PROGRAMS is the folder of fit_track, of a sourced workspace. Each LABELS.csv has the columns file and type, and stands beside those logs. The default is
-the last section of config/articulation.yaml. --also gives a command that scores something else by a folder of settings, which
-stands for {config} in it; the last line that it prints is shown. Prints a table in Markdown, the defaults first.
+sensitivity.py PROGRAMS LABELS.csv... [--file NAME] [--settings KEY...] [--also COMMAND]
+
+PROGRAMS is the folder of fit_track, of a sourced workspace. Each LABELS.csv has the columns file and type, and stands beside
+those logs. The default is the last section of config/articulation.yaml. --also gives a command that scores something else by a
+folder of settings, which stands for {config} in it; the last line that it prints is shown. Prints a table in Markdown, the
+defaults first.
 """
 import argparse
 import csv

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # check_sanitizers.sh [address|thread]: installs what is missing, builds the package anew with gcc's sanitizers in
-# build/<sanitizer>/ and runs its tests and tools; without an argument, one sanitizer after the other. Programs are put into
-# $XDG_CACHE_HOME/cabinet_articulation/sanitizers.
+# build/<sanitizer>/ and runs its tests and tools. Without an argument, it takes one sanitizer after the other. Programs are put
+# into $XDG_CACHE_HOME/cabinet_articulation/sanitizers.
 #
 # address: AddressSanitizer, LeakSanitizer and UndefinedBehaviorSanitizer on all tests (some replay bags) and on the tools.
-# thread: ThreadSanitizer on all tests, most of them with the nodelets in one manager; see not_run_thread for what is left out.
+# thread: ThreadSanitizer on all tests, most of them with the nodelets in one manager. See not_run_thread for what is left out.
 #
 # What any process reports counts, also that of a nodelet whose test passed. The last line says how many reports there were, how
-# many tests failed and how many suppressions are in force; the exit status says the same.
+# many tests failed and how many suppressions are in force. The exit status says the same.
 set -euo pipefail
 
 case "$*" in
@@ -23,7 +23,7 @@ esac
 settings=$root/test/sanitizers
 
 # By their names in make's targets. With a sanitizer, a program is 2 to 20 times slower. So tests that must be through in a given
-# time are run for what they report, and their own verdict does not count; those that compare times are not run, nor is the one
+# time are run for what they report, and their own verdict does not count. Those that compare times are not run, nor is the one
 # that puts a count of its own in malloc's place.
 unjudged=(
   end_to_end.test end_to_end__scene_drawer.test end_to_end__scene_static.test end_to_end__scene_door__input_disparity.test
@@ -36,8 +36,8 @@ unjudged=(
   parity__scene_door__input_depth.test parity__scene_drawer__camera_motion_0.1__input_depth.test
   parity__scene_door__input_rectified.test parity__scene_door__input_millimetres.test
 )
-# long_use_test takes ten minutes in one thread; endurance_test and incremental_fit_test run the same code for less long. soak.test
-# plays to the end of a scene again and again; those above do the same with the same nodelets.
+# long_use_test takes ten minutes in one thread. endurance_test and incremental_fit_test run the same code for less long.
+# soak.test plays to the end of a scene again and again. Those above do the same with the same nodelets.
 not_run_address=(track_cost_test plane_memory_test block_matcher_memory_test long_use_test soak.test)
 not_run_thread=(
   track_cost_test plane_memory_test block_matcher_memory_test long_use_test soak.test
@@ -88,7 +88,7 @@ run_tools() {
     "$tools/simulated_bag" drawer $input.bag --input $input --first 30 --frames 20 || return 1
     "$tools/process_bag" $input.bag $input.out.bag --input $input || return 1
   done
-  # A door of 0.4 m that turns about z, and a depth image of 640 x 480 px, 1.5 m everywhere but for a front 1 m away.
+  # A door of 0.4 m that turns about z. The depth image has 640 x 480 px, 1.5 m everywhere but for a front 1 m away.
   awk 'BEGIN { for (i = 0; i < 50; ++i) { q = 0.02 * i; print 0.4 * cos(q), 0.4 * sin(q), 1, 0, 0, sin(q / 2), cos(q / 2) } }' \
     >door.log
   awk 'BEGIN { print "P2 640 480 65535"
@@ -97,7 +97,7 @@ run_tools() {
   "$tools/fit_track" door.log && "$tools/detect_image" depth.pgm overlay.png --fx 500
 }
 
-# The names of make's targets that run one test each: targets gtest|rostest +|- NAME..., with these names (+) or with all others (-).
+# The names of make's targets that run one test each. targets gtest|rostest +|- NAME...: with these names (+), or all others (-).
 targets() {
   local kind=$1 which=$2 target name
   shift 2

@@ -11,10 +11,10 @@
 
 namespace cabinet_articulation::core {
 
-/// Tells learned joints where they are closed. q = 0 stays the first observed position, so that nobody who holds a q is misled
+/// Tells learned joints where they are closed. The first observed position stays q = 0, so that nobody who holds a q is misled
 /// when the closed position becomes known. The place is kept in space, not as a q: a joint that is learned better gets another
-/// q_closed for the same place. A frame costs one search at most (some 5 ms), and a joint one in 0.3 s, or when it was seen a
-/// quarter more often once its place is known.
+/// q_closed for the same place. A frame costs one search at most (some 5 ms). A joint costs one in 0.3 s, or once its place is
+/// known, when it was seen a quarter more often.
 class ClosedFinder {
  public:
   /// What the camera saw in the frame whose joints come next.

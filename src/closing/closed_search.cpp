@@ -28,8 +28,8 @@ Steps stepsOf(const LearnedModel& joint) {
   return joint.type == JointType::kPrismatic ? Steps{0.01, 0.5} : Steps{0.04, M_PI / 2};
 }
 
-/// How far a closed front seems to be from its neighbours' plane: kitchens are adjusted to 2 mm and a third of a degree, and
-/// depth bends by as much from one place to the next (measured: up to a degree with a Kinect).
+/// How far a closed front seems to be from its neighbours' plane. Kitchens are adjusted to 2 mm and a third of a degree. Depth
+/// bends by as much from one place to the next (measured: up to a degree with a Kinect).
 double sigmaOfFlush(const LearnedModel& joint) { return joint.type == JointType::kPrismatic ? 0.003 : 0.01; }
 
 /// [nats] That a front which measures so far from the surface is closed rather than anywhere else within reach.
@@ -64,8 +64,8 @@ std::optional<double> scan(const LearnedModel& joint, const OwnEdges& edges, con
   return best;
 }
 
-/// Where the surface around the front is, by the median of the views that tell it as exactly as fronts are flush (what is seen of
-/// it beside a hinge alone does not), and how far views scatter about that.
+/// Where the surface around the front is, and how far views scatter about that. It is the median of the views that tell it as
+/// exactly as fronts are flush. Surface that is seen beside a hinge alone does not tell it so.
 struct Surface {
   double q = 0;
   double scatter = 0;

@@ -13,7 +13,7 @@ namespace cabinet_articulation::core {
 /*
  * Where a joint is closed, and whether it was seen so.
  *
- * A closed front lies in one surface with its neighbours, so a rectangle detector cannot see it: its track begins when it is a
+ * A closed front lies in one surface with its neighbours, so a rectangle detector cannot see it. Its track begins when it is a
  * hand's breadth open, and ends there again. But the joint tells where it was before. Two questions to the views:
  * 1. At which opening does the surface around the front's place lie in the front's plane? This is where it would be closed.
  * 2. Was the front seen there, at rest or on its way? Its place is full then, and the plane through it tells its opening.

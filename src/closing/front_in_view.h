@@ -30,7 +30,7 @@ FrontInView look(const DepthView& view, const Rectangle& front, double band, int
 /// Whether the front's plane goes on beyond an edge, as far as it was seen.
 bool goesOn(const CellCount& beside);
 
-/// Which edges have neighbours beside them, or nothing. The image or a hand may have cut the front; what is beside such an edge
+/// Which edges have neighbours beside them, or nothing. The image or a hand may have cut the front. What is beside such an edge
 /// is more of the front, and says nothing about where it is closed.
 class OwnEdges {
  public:

@@ -12,14 +12,14 @@ namespace cabinet_articulation::core {
 /// [m or rad] A front may go so far beyond what was seen of its way: 0.1 m or 0.3 rad (ours).
 double beyondSeen(const LearnedModel& model);
 
-/// [m] between two models of one front, nothing if they are of two. Fronts are the same if one comes to lie where the other
-/// was seen: with the same outer side (within 0.39 rad, as the tracker has it), the centres within 0.05 m but less than 0.4
-/// of the shorter side, and sides that differ by at most 0.05 m. A side of 0 is unknown and fits any. The way of each is what
-/// was seen, and beyondSeen(). Numbers do not count. Both models are in one frame.
+/// [m] between two models of one front, nothing if they are of two. Fronts are the same if one comes to lie where the other was
+/// seen. Both have the same outer side (within 0.39 rad, as the tracker has it). The centres are within 0.05 m but less than 0.4
+/// of the shorter side, and the sides differ by at most 0.05 m. A side of 0 is unknown and fits any. The way of each is what was
+/// seen, and beyondSeen(). Numbers do not count. Both models are in one frame.
 std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b);
 
-/// A change for every id that is 0, above kLargestId or taken: from above the largest on, or where those are used up
-/// (kLargestId) the first that is free. `taken` grows by all ids.
+/// A change for every id that is 0, above kLargestId or taken. New ids count on from the largest, or where those are used up
+/// (kLargestId), are the first that is free. `taken` grows by all ids.
 std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<std::uint32_t>* taken);
 
 /// What is known now and what a file holds, as one.
@@ -31,11 +31,11 @@ struct MergedFronts {
   std::vector<NameChange> renamed;      ///< fronts whose names of the file others have now
 };
 
-/// Joins both by place. A front that is known now replaces the file's one of the same place; but the file's stays, with the id
-/// that the front has now, if it is much better known: learned from more than twice as many observations (counted up to
-/// kKeptObservations), or no joint that was given up as the other. What goes on from the file's front itself, as its history
-/// tells, always replaces it. Fronts that only the file has stay; `removed` are the places of those that do not. A front without
-/// a name keeps the one that the file has for its place.
+/// Joins both by place. A front that is known now replaces the file's one of the same place. But the file's stays, with the id
+/// that the front has now, if it is much better known. Better known is what was learned from more than twice as many observations
+/// (counted up to kKeptObservations). So is a joint that was not given up while the other was. What goes on from the file's front
+/// itself, as its history tells, always replaces it. Fronts that only the file has stay; `removed` are the places of those that
+/// do not. A front without a name keeps the one that the file has for its place.
 MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed);
 
 }  // namespace cabinet_articulation::core

@@ -25,8 +25,8 @@ std::optional<std::uint32_t> ownerOfDefaultName(const std::string& name);
 /// In words, why this can be no name; empty if it can.
 std::string whyUnfit(const std::string& name);
 
-/// A name that fits and is free, as much like `wanted` as it can be: with underscores for what does not fit, and with the
-/// first number that is free if that is taken.
+/// A name that fits and is free, as much like `wanted` as it can be. Underscores replace what does not fit. If that is taken, the
+/// first number that is free follows.
 std::string proposeName(const std::string& wanted, std::uint32_t id, const std::function<bool(const std::string&)>& is_free);
 
 }  // namespace cabinet_articulation::core

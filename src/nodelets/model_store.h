@@ -31,8 +31,8 @@ struct StoreCalls {
  * Everything that was learned, in memory and in files. May be used at any time from any thread.
  *
  * What is loaded, reset and forgotten reaches the tracker, which may run elsewhere, by the topic `known_fronts`. Tracks that it
- * published before it heard of that are recognised by their generation, and forgotten fronts by their ids, which are never
- * given to others.
+ * published before it heard of that are recognised by their generation. Forgotten fronts are recognised by their ids, which are
+ * never given to others.
  */
 class ModelStore {
  public:

@@ -18,8 +18,8 @@
 
 namespace cabinet_articulation {
 
-/// Plane regions and the frame they come from -> rectangles. Tracks tell where to expect some of them: those after the last
-/// frame that was worked on, for which a frame waits no longer than until the next one is due.
+/// Plane regions and the frame they come from -> rectangles. Tracks tell where to expect some of them: those after the last frame
+/// that was worked on. A frame waits for these no longer than until the next one is due.
 class RectanglesStage : public StageNodelet {
  public:
   RectanglesStage() : StageNodelet("rectangles") {}

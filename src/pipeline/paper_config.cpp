@@ -14,8 +14,8 @@ StereoConfig paperStereo() {
   return config;
 }
 
-/// III-B.1. Not expressed: early acceptance at high support (nor did the release have it), and a RANSAC over all pixels:
-/// `stride` remains 4 (release: 1, library: 15).
+/// III-B.1. Not expressed: early acceptance at high support (nor did the release have it), and a RANSAC over all pixels. `stride`
+/// remains 4 (release: 1, library: 15).
 PlanesConfig paperPlanes() {
   PlanesConfig config;
   config.method = "paper";
@@ -47,7 +47,7 @@ RectanglesConfig paperRectangles() {
 }
 
 /// III-C: "fixed thresholds on pose change", and the uncertainty of the size. Not expressed: the release takes the first track
-/// that fits, not the nearest, and appends each duplicate of a frame; our poses are placed by the edges that were seen.
+/// that fits, not the nearest, and appends each duplicate of a frame. Our poses are placed by the edges that were seen.
 TrackingConfig paperTracking() {
   TrackingConfig config;
   config.timeout = config.tentative_timeout = 20;  // release's code; its launch files never end a track
@@ -63,8 +63,8 @@ TrackingConfig paperTracking() {
 }
 
 /// III-D. Not expressed: one sigma for position and orientation in Eq. (9), and Eq. (10)'s independent observations when
-/// prismatic and rotational are compared; ours follow a sequence whose noise is correlated. Poses beyond `poses_max` are
-/// thinned out. Short, narrow, restless or interrupted motions are doubted by our learner whatever the settings.
+/// prismatic and rotational are compared. Ours follow a sequence whose noise is correlated. Poses beyond `poses_max` are thinned
+/// out. Short, narrow, restless or interrupted motions are doubted by our learner whatever the settings.
 ArticulationConfig paperArticulation() {
   ArticulationConfig config;
   config.joint_types = "rigid prismatic rotational";

@@ -6,7 +6,7 @@
 
 namespace cabinet_articulation::core {
 
-/// Labels the free pixels that a region encloses `kHole` (ours): the pane of a glass door and the mouth of an oven are no
+/// Labels the free pixels that a region encloses `kHole` (ours). The pane of a glass door and the mouth of an oven are no
 /// evidence against the frame around them. A pixel is enclosed if no way leads from it out of the region's hull through free
 /// pixels and those without a measurement. Less than kHollowShare of the hull is no hole.
 class EnclosedHoles {

@@ -11,8 +11,8 @@ namespace cabinet_articulation::core {
 /// Eq. (4): sum(1 - cost) / pixels, over the rectangle's pixels in the image. 0 without pixels.
 double precision(const LabelCounts& counts, const RectanglesConfig& config);
 
-/// Eq. (5), of the connected region and of in-plane pixels alone (ours: over an infinite plane, flush neighbours and
-/// far-away stripes count against a good front). At most 1.
+/// Eq. (5), of the connected region and of in-plane pixels alone (ours). Over an infinite plane, flush neighbours and far-away
+/// stripes count against a good front. At most 1.
 double recall(const LabelCounts& counts, int region_inliers);
 
 /// True if the size is a front's, the region fills the rectangle and the rectangle explains the region.

@@ -20,8 +20,8 @@ struct LabelCounts {
 
 /// How well a rectangle fits the mask of one region; the greedy search maximises it.
 ///
-/// `label_weights` (ours): the sum of a weight per pixel. In-plane pixels gain 1, so that growing over them always pays,
-/// which Eq. (3) taken literally does not offer: with cost(in-plane) = 0 every all-in-plane rectangle scores 0.
+/// `label_weights` (ours): the sum of a weight per pixel. In-plane pixels gain 1, so that growing over them always pays. Eq. (3)
+/// taken literally does not offer this: with cost(in-plane) = 0 every all-in-plane rectangle scores 0.
 /// `paper`: sum(1 - cost) / pixels^(1 - alpha), the form of Eq. (3) in the original release, which also rejects
 /// rectangles that leave the image.
 ///

@@ -13,7 +13,7 @@ struct LabelBox {
   cv::Point at;
 };
 
-/// Places boxes within the image so that no two of them overlap; each as near as possible to where it would be best, the first
+/// Places boxes within the image so that no two of them overlap. Each is as near as possible to where it would be best, the first
 /// ones first. Nothing for those that find no room.
 std::vector<std::optional<cv::Rect>> placeLabels(const std::vector<LabelBox>& boxes, const cv::Size& image);
 

@@ -16,8 +16,8 @@
 namespace cabinet_articulation {
 
 /*
- * Settings that rqt_reconfigure can change while a stage runs. What it offers follows from the configuration's list of
- * fields, so that defaults, ranges and meanings have one home; hence no .cfg file and no generated server.
+ * Settings that rqt_reconfigure can change while a stage runs. What it offers follows from the configuration's list of fields, so
+ * that defaults, ranges and meanings have one home. Hence no .cfg file and no generated server.
  */
 
 namespace detail {

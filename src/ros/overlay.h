@@ -10,10 +10,10 @@
 
 namespace cabinet_articulation {
 
-/// Draws into the left camera's image (BGR): every rectangle of the frame, every model's front with its id, and for joints
-/// the axis, the predicted fronts over the range, the way from q = 0 to the opening now, and a label with gauges of the type's
-/// probability and of the opening. ROS-free; rectangles and
-/// models in the left optical frame. What lies behind the camera is cut off.
+/// Draws into the left camera's image (BGR): every rectangle of the frame, and every model's front with its id. A joint has its
+/// axis, the predicted fronts over the range, and the way from q = 0 to the opening now. Its label has gauges of the type's
+/// probability and of the opening. ROS-free; rectangles and models are in the left optical frame. What lies behind the camera is
+/// cut off.
 void drawOverlay(const core::StereoCamera& camera, const std::vector<core::DetectedRectangle>& rectangles,
                  const std::vector<core::LearnedModel>& models, cv::Mat3b* image);
 

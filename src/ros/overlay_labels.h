@@ -27,8 +27,8 @@ struct OverlayLabel {
 /// The gauge of a joint; nothing for what is none.
 std::optional<LabelGauge> gaugeOf(const core::LearnedModel& model);
 
-/// Draws the labels on dark boxes that do not overlap and lie within the image, those with a gauge first, and a line to the
-/// front where the box lies beside it. What finds no room is left out.
+/// Draws the labels on dark boxes that do not overlap and lie within the image, those with a gauge first. Where a box lies beside
+/// its front, a line leads to it. What finds no room is left out.
 void drawLabels(std::vector<OverlayLabel> labels, cv::Mat3b* image);
 
 }  // namespace cabinet_articulation

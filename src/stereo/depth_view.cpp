@@ -25,7 +25,7 @@ float medianDisparity(const cv::Mat1f& disparity, int u, int v) {
   return *middle;
 }
 
-/// The mean over a cell of what belongs to the surface in its middle: steps and noise of the depth are larger than what is to be
+/// The mean over a cell of what belongs to the surface in its middle. Steps and noise of the depth are larger than what is to be
 /// told from it. 0 unless that surface was measured.
 float surfaceDisparity(const cv::Mat1f& disparity, const cv::Rect& cell) {
   constexpr float kSurface = 0.015F;  // share of the disparity: 4 sigma of a Kinect's noise at 2 m

@@ -7,8 +7,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Images whose memory is lent again once nobody holds them any more (ours: the heap returns blocks of this size to the system,
-/// and every page then costs a fault; a frame's masks alone are some 6 MB). Whoever holds an image may release it in any thread.
+/// Images whose memory is lent again once nobody holds them any more (ours). The heap returns blocks of this size to the system,
+/// and every page then costs a fault. A frame's masks alone are some 6 MB. Whoever holds an image may release it in any thread.
 template <class Image>
 class ImagePool {
  public:

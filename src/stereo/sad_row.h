@@ -9,8 +9,7 @@ constexpr int kSadBatch = 16;   ///< pixels that are matched together; up to 15 
 constexpr int kSadStride = 64;  ///< entries that are read together: buffers have multiples of them
 
 /// One row of block matching by sums of absolute differences (SAD). The entries of a pixel lie side by side in memory, the
-/// largest disparity first, as the right image's columns do: entry k of column u is compared with column u - largest_disparity +
-/// k.
+/// largest disparity first, as the right image's columns do. So entry k of column u meets column u - largest_disparity + k.
 struct SadRow {
   const std::uint8_t *left_enters, *right_enters;  ///< column 0 of the filtered row that enters the windows
   const std::uint8_t *left_leaves, *right_leaves;  ///< and of the one that leaves them

@@ -21,7 +21,7 @@ struct SadBatch {
   int before[kSadBatch], best[kSadBatch], after[kSadBatch];  ///< sums around it
 };
 
-/// The row that enters is added to the sums of column u, the one that leaves is taken away; then the window moves on by this
+/// The row that enters is added to the sums of column u, the one that leaves is taken away. Then the window moves on by this
 /// column. Returns each lane's smallest sum.
 inline ShortLanes advance(const SadRow& row, int u, std::int16_t* column, const std::int16_t* before, std::int16_t* window) {
   const ByteLanes left_enters = allBytes(row.left_enters[u]), left_leaves = allBytes(row.left_leaves[u]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every frame of a bag through the pipeline, without a ROS master: what it finds goes to another bag, with the stamps of
-// the input. The same bag gives the same bytes.
+// Every frame of a bag through the pipeline, without a ROS master. What it finds goes to another bag, with the stamps of the
+// input. The same bag gives the same bytes.
 #include <getopt.h>
 #include <tf2/exceptions.h>
 

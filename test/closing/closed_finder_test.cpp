@@ -20,7 +20,7 @@ constexpr double kRate = 8;  // [Hz]
 /// One front in a kitchen that opens, waits and closes, seen by a depth camera.
 class Closing : public testing::Test {
  protected:
-  /// Shows the frames in which the front's opening, relative to the widest, is in these bounds; those of its rest at first or at
+  /// Shows the frames in which the front's opening, relative to the widest, is in these bounds. Those of its rest at first or at
   /// last are repeated, as if it had been left there.
   struct Shown {
     double from = 0, to = 1;

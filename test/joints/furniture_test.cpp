@@ -98,7 +98,7 @@ TEST(Furniture, WhatIsKnownBadlyJoinsNothing) {
   EXPECT_EQ(piecesOfFurniture({drawerAt(0, 0, 1.5), drawerAt(0.41, 0, 1.5, 0.5)}).size(), 2u);
 }
 
-/// A door whose hinge is at x = -0.1 in the surface at z = 1.2, and whose q is 0 where it was seen first, at this opening.
+/// A door whose hinge is at x = -0.1 in the surface at z = 1.2. Its q is 0 where it was seen first, at this opening.
 LearnedModel doorFirstSeenAt(double opening) {
   LearnedModel door = test::doorModel();
   door.covariance = drawerAt(0, 0, 1).covariance;

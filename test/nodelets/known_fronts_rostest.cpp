@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tracker and learner together: what was learned outlives a clock that is set back, a file, a forgotten neighbour, and a tracker
+// Tracker and learner together. What was learned outlives a clock that is set back, a file, a forgotten neighbour, and a tracker
 // that is started anew.
 #include <cabinet_articulation/ArticulationModelArray.h>
 #include <cabinet_articulation/Forget.h>

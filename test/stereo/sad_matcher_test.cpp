@@ -59,8 +59,8 @@ int countMatches(const cv::Mat1s& sixteenths, const StereoConfig& config) {
   return cv::countNonZero(sixteenths >= config.min_disparity * cv::StereoMatcher::DISP_SCALE);
 }
 
-/// Where both match whole windows in the same images: StereoBM has no gradient in an odd image's last row, and below disparity 0
-/// it matches blocks beyond the right image's border.
+/// Where both match whole windows in the same images. StereoBM has no gradient in an odd image's last row. Below disparity 0 it
+/// matches blocks beyond the right image's border.
 cv::Rect comparable(cv::Size size, const StereoConfig& config) {
   const int radius = config.correlation_window_size / 2;
   return {0, 0, size.width + std::min(config.min_disparity - radius, 0), size.height - (size.height % 2) * (radius + 1)};

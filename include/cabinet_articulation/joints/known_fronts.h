@@ -50,7 +50,7 @@ constexpr int kKeptObservations = 200;
 
 /// Everything that was learned: the fronts in view, and the joints that are out of view.
 ///
-/// A joint stays known until its own model says that it is given up: a front in view whose model tells less at the moment does
+/// A joint stays known until its own model says that it is given up. A front in view whose model tells less at the moment does
 /// not erase it. What is given up stays, with its doubt, but answers no questions any more.
 class KnownFronts {
  public:

@@ -36,10 +36,10 @@ struct SavedModels {
 };
 
 /*
- * Files are written as a whole or not at all: whoever reads one finds the old or the new one, even after a power cut, and the
- * file keeps its owner and mode. Links are followed, and stay links. Reading, merging and writing are one transaction: others
- * that save to a file of the same folder wait for up to 20 s, in this process or another (flock on the folder, which ends with
- * a process that dies). What a saver that died has left behind is cleared away by the next.
+ * Files are written as a whole or not at all. Whoever reads one finds the old or the new one, even after a power cut, and the
+ * file keeps its owner and mode. Links are followed, and stay links. Reading, merging and writing are one transaction. Others
+ * that save to a file of the same folder wait for up to 20 s, in this process or another. The lock is flock on the folder, which
+ * ends with a process that dies. What a saver that died has left behind is cleared away by the next.
  */
 
 /// Merges the models into what the file holds, without what was `removed`. Of two fronts in one place that of `models` stays,

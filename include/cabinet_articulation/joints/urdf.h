@@ -13,15 +13,15 @@ namespace cabinet_articulation::core {
  *
  *   <frame> -- fixed --> cabinet_3_base -- fridge --> cabinet_3_leaf -- fixed --> cabinet_3_front -- fixed --> cabinet_fridge
  *
- * The base is jointBase(), and the joint moves along or about its z by the q of the model; its limits are the range that was
+ * The base is jointBase(), and the joint moves along or about its z by the q of the model. Its limits are the range that was
  * seen. The front is the model's pose, and carries a wooden panel of the front's size that lies behind it, and collides. The
  * joint's name is nameOf(); only a front that people named has the last link, which is the front again.
  *
- * Fronts of one piece of furniture hang on one link between the frame and their bases, cabinet_<lowest id>_body: it lies in
- * their common surface, amid them, with the axes of the first front. They are one piece if their closed surfaces are one plane
- * rather than two parallel or tilted ones, by the likelihood of their distance and tilt given the covariances of both, and if
- * a gap of at most 0.6 m is between them: a unit whose own front was never opened. A front whose closed position is not known
- * is taken for closed at q = 0, at q_min, or up to 0.3 rad or 0.05 m beyond, whichever is the most likely.
+ * Fronts of one piece of furniture hang on one link between the frame and their bases, cabinet_<lowest id>_body. It lies in their
+ * common surface, amid them, with the axes of the first front. Fronts are one piece under two conditions. First, their closed
+ * surfaces are more likely one plane than two parallel or tilted ones. The likelihood is that of their distance and tilt, given
+ * the covariances of both. Second, a gap of at most 0.6 m is between them: a unit whose own front was never opened. Where the
+ * closed position is not known, the most likely one is taken: q = 0, q_min, or up to 0.3 rad or 0.05 m beyond.
  */
 
 /// Throws ModelError for what is no joint or has no counterpart in URDF, and for an id or a name that is there twice. So it does

@@ -54,8 +54,8 @@ struct PipelineResult {
   StageTimes milliseconds;
 };
 
-/// The five stages in one object: two camera images in, models out. The nodelets do the same with the same data, to the bit:
-/// what goes from stage to stage here has been through what messages do to it.
+/// The five stages in one object: two camera images in, models out. The nodelets do the same with the same data, to the bit. What
+/// goes from stage to stage here has been through what messages do to it.
 class Pipeline {
  public:
   explicit Pipeline(const PipelineConfig& config);

@@ -14,7 +14,7 @@ namespace cabinet_articulation::core {
 /// picture.
 enum Label : std::uint8_t { kFree = 0, kHole = 32, kUnknown = 64, kOtherPlane = 128, kOccluded = 192, kInPlane = 255 };
 
-/// Share of a front from which on a hole makes it hollow (ours): panes take half of their door and more, gaps of solid fronts
+/// Share of a front from which on a hole makes it hollow (ours). Panes take half of their door and more, gaps of solid fronts
 /// less.
 constexpr double kHollowShare = 0.2;
 

@@ -22,8 +22,8 @@ namespace cabinet_articulation {
 
 /*
  * What the stages exchange, as messages and back. Pure functions. The frame of the poses is the caller's knowledge and
- * goes into the header. fromMessage throws std::invalid_argument for what no stage would publish (beyond
- * geometry/limits.h, no unit quaternion, lists whose lengths differ), naming the element.
+ * goes into the header. For what no stage would publish, fromMessage throws std::invalid_argument that names the element: beyond
+ * geometry/limits.h, no unit quaternion, or lists whose lengths differ.
  */
 
 Rectangle toMessage(const core::DetectedRectangle& rectangle);

@@ -10,8 +10,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Block matching as OpenCV's StereoBM does it. Fields are named as in stereo_image_proc; the defaults are the paper's (128
-/// disparities, 15 Hz) and what was measured best for small fronts (15x15 windows; 9x9 loses doors).
+/// Block matching as OpenCV's StereoBM does it. Fields are named as in stereo_image_proc. The defaults are the paper's (128
+/// disparities, 15 Hz), and windows that were measured best for small fronts (15x15; 9x9 loses doors).
 struct StereoConfig {
   std::string matcher = "own";
   int disparity_range = 128;         ///< [px]

@@ -9,8 +9,8 @@
 
 namespace cabinet_articulation::core {
 
-/// A frame's depth on a coarse grid of pixels, and where the camera was: enough to tell whether a surface is where it should be,
-/// and small enough to be kept for many frames.
+/// A frame's depth on a coarse grid of pixels, and where the camera was. It is enough to tell whether a surface is where it
+/// should be, and small enough to be kept for many frames.
 struct DepthView {
   double stamp = 0;           ///< [s]
   int columns = 0, rows = 0;  ///< of the grid; 0: nothing was seen
@@ -29,8 +29,8 @@ struct DepthView {
   }
 };
 
-/// At most 80 columns, or rows if the image is higher than wide: 8 px of a 640 px wide image, which is 3 cm at 2 m. A cell has
-/// the mean of the surface in its middle. The stamp is left to the caller; the fixed frame is the camera's.
+/// At most 80 columns, or rows if the image is higher than wide. A cell is 8 px of a 640 px wide image, which is 3 cm at 2 m. A
+/// cell has the mean of the surface in its middle. The stamp is left to the caller; the fixed frame is the camera's.
 DepthView thinnedOut(const DepthFrame& frame);
 
 }  // namespace cabinet_articulation::core

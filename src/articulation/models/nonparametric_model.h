@@ -11,8 +11,8 @@
 
 namespace cabinet_articulation::core {
 
-/// The front follows some smooth curve of poses, as one that slides and turns does. q is the length of the way [m] of the
-/// observed point.
+/// The front follows some smooth curve of poses, as one that slides and turns does. The configuration q is the length of the way
+/// [m] of the observed point.
 class NonparametricModel : public ArticulationModel {
  public:
   static constexpr JointTraits kTraits{JointType::kNonparametric, "nonparametric", ConfigurationUnit::kMetre, /*moves*/ true,

@@ -49,8 +49,8 @@ Chart probabilityChart(const FrontRecord& front, const TimeAxis& time);
 /// How much of each edge was seen.
 Chart edgeChart(const FrontRecord& front, const Viewpoint& view, const TimeAxis& time);
 
-/// From above (right, out) and from the side (out, up), relative to the front's centre at q = 0: axis and way as they were
-/// learned, fronts and centres as they were observed.
+/// From above (right, out) and from the side (out, up), relative to the front's centre at q = 0. Axis and way are drawn as they
+/// were learned, fronts and centres as they were observed.
 Chart topChart(const FrontRecord& front, const Viewpoint& view);
 Chart sideChart(const FrontRecord& front, const Viewpoint& view);
 
