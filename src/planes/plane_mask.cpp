@@ -48,29 +48,21 @@ __attribute__((target_clones("avx2", "default"))) void labelPart(const PixelRow&
   }
 }
 
-/// What planes behind and before everything say of a row, and the range of its columns so far.
-struct FrameRow {
-  const float* disparity;
-  float *tolerance, *least, *most;
-  std::uint8_t *free, *occluded;
-};
-
-__attribute__((target_clones("avx2", "default"))) void addRow(const FrameRow& row, int n, DisparityTolerance tolerance) {
-  const float* __restrict disparity = row.disparity;
-  float* __restrict tolerances = row.tolerance;
-  float* __restrict least = row.least;
-  float* __restrict most = row.most;
-  std::uint8_t* __restrict free = row.free;
-  std::uint8_t* __restrict occluded = row.occluded;
+/// The row's part of what all planes share. The arrays do not overlap.
+__attribute__((target_clones("avx2", "default"))) void addRow(const float* __restrict disparity, int n,
+                                                              DisparityTolerance tolerance, float* __restrict tolerances,
+                                                              float* __restrict least, float* __restrict most,
+                                                              std::uint8_t* __restrict free, std::uint8_t* __restrict occluded) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  // One selection a loop: compilers make branches of several by the same condition.
   for (int u = 0; u < n; ++u) {
-    const float d = disparity[u];
-    const bool valid = isValidDisparity(d);
-    tolerances[u] = valid ? tolerance.at(d) : -1;
-    least[u] = valid ? std::min(least[u], d) : least[u];
-    most[u] = valid ? std::max(most[u], d) : most[u];
-    free[u] = valid ? kFree : kUnknown;
-    occluded[u] = valid ? kOccluded : kUnknown;
+    const float of_measured = tolerance.at(disparity[u]);
+    tolerances[u] = isValidDisparity(disparity[u]) ? of_measured : -1;
   }
+  for (int u = 0; u < n; ++u) least[u] = std::min(least[u], tolerances[u] < 0 ? kInfinity : disparity[u]);
+  for (int u = 0; u < n; ++u) most[u] = std::max(most[u], tolerances[u] < 0 ? -1 : disparity[u]);
+  for (int u = 0; u < n; ++u) free[u] = static_cast<std::uint8_t>(tolerances[u] < 0 ? kUnknown : kFree);
+  for (int u = 0; u < n; ++u) occluded[u] = static_cast<std::uint8_t>(tolerances[u] < 0 ? kUnknown : kOccluded);
 }
 
 __attribute__((target_clones("avx2", "default"))) void labelRow(const float* disparity, int n, RowPlane plane, float tolerance,
@@ -95,13 +87,13 @@ void NoiseMask::addBand(int top, int bottom, const DisparityTolerance& tolerance
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const int n = disparity_.cols;
   least_.assign(n, kInfinity);
-  most_.assign(n, -kInfinity);
+  most_.assign(n, -1);
   for (int v = top; v < bottom; ++v)
-    addRow({disparity_[v], tolerance_[v], least_.data(), most_.data(), free_[v], occluded_[v]}, n, tolerance);
+    addRow(disparity_[v], n, tolerance, tolerance_[v], least_.data(), most_.data(), free_[v], occluded_[v]);
   for (int begin = 0; begin < n; begin += kBlock) {
     const int end = std::min(begin + kBlock, n);
     const float most = *std::max_element(most_.begin() + begin, most_.begin() + end);
-    ranges_.push_back({*std::min_element(least_.begin() + begin, least_.begin() + end), most, tolerance.at(std::max(most, 0.F))});
+    ranges_.push_back({*std::min_element(least_.begin() + begin, least_.begin() + end), most, tolerance.at(most)});
   }
 }
 

@@ -26,7 +26,7 @@ class NoiseMask {
   void label(const DisparityPlane& plane, cv::Mat1b* mask) const;
 
  private:
-  /// Of the measured pixels of a block; the smallest is above the largest if there are none.
+  /// Of the measured pixels of a block; the smallest is infinite and the largest negative if there are none.
   struct Range {
     float least, most, tolerance;
   };
