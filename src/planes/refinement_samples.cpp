@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "geometry/median.h"
 
@@ -40,25 +41,17 @@ __attribute__((target_clones("avx2", "default"))) void findPlaces(const Places& 
   }
 }
 
-/// The four pixels about a sample's place.
-struct Corners {
-  const std::uint8_t *up_left, *up_right, *down_left, *down_right;
-};
-
-__attribute__((target_clones("avx2", "default"))) void interpolate(const Corners& pixels, size_t n,
+__attribute__((target_clones("avx2", "default"))) void interpolate(const RefinementSamples::Corners* __restrict pixels, size_t n,
                                                                    const float* __restrict fraction, float g,
                                                                    float* __restrict value, float* __restrict gradient,
                                                                    float* __restrict row_gradient) {
-  const std::uint8_t* __restrict up_left = pixels.up_left;
-  const std::uint8_t* __restrict up_right = pixels.up_right;
-  const std::uint8_t* __restrict down_left = pixels.down_left;
-  const std::uint8_t* __restrict down_right = pixels.down_right;
   for (size_t i = 0; i < n; ++i) {
     const float f = fraction[i];
-    const auto slope_up = static_cast<float>(up_right[i] - up_left[i]);
-    const auto slope_down = static_cast<float>(down_right[i] - down_left[i]);
-    const float value_up = static_cast<float>(up_left[i]) + f * slope_up;
-    const float value_down = static_cast<float>(down_left[i]) + f * slope_down;
+    const int up_left = pixels[i].up[0], up_right = pixels[i].up[1];
+    const int down_left = pixels[i].down[0], down_right = pixels[i].down[1];
+    const auto slope_up = static_cast<float>(up_right - up_left), slope_down = static_cast<float>(down_right - down_left);
+    const float value_up = static_cast<float>(up_left) + f * slope_up;
+    const float value_down = static_cast<float>(down_left) + f * slope_down;
     value[i] = value_up + g * (value_down - value_up);
     gradient[i] = slope_up + g * (slope_down - slope_up);
     row_gradient[i] = value_down - value_up;
@@ -107,7 +100,7 @@ float middleValue(std::vector<float>* values) {
 void RefinementSamples::resize(size_t n) {
   row_.resize(n);
   place_.resize(n);
-  for (std::vector<std::uint8_t>* corner : {&up_left_, &up_right_, &down_left_, &down_right_}) corner->resize(n);
+  corners_.resize(n);
   for (std::vector<float>* values :
        {&u_, &x, &y, &left_, &slope, &inside_, &fraction_, &right, &gradient, &row_gradient, &residual, &seen})
     values->resize(n);
@@ -185,13 +178,11 @@ void RefinementSamples::warp(const cv::Mat1b& image, double cx_difference, const
   for (size_t i = 0; i < size(); ++i) {
     const std::uint8_t* up = image.data + place_[i];
     const std::uint8_t* down = up + places.row_stride;
-    up_left_[i] = up[0];
-    up_right_[i] = up[1];
-    down_left_[i] = down[0];
-    down_right_[i] = down[1];
+    std::memcpy(corners_[i].up, up, sizeof(Corners::up));
+    std::memcpy(corners_[i].down, down, sizeof(Corners::down));
   }
-  interpolate({up_left_.data(), up_right_.data(), down_left_.data(), down_right_.data()}, size(), fraction_.data(),
-              static_cast<float>(e.row_shift - rows_down), right.data(), gradient.data(), row_gradient.data());
+  interpolate(corners_.data(), size(), fraction_.data(), static_cast<float>(e.row_shift - rows_down), right.data(),
+              gradient.data(), row_gradient.data());
   compare(size(), left_.data(), right.data(), static_cast<float>(e.gain), static_cast<float>(e.offset), residual.data());
 }
 

@@ -19,6 +19,10 @@ struct PhotometricEstimate {
 /// keeps sums in float well conditioned. The number is a multiple of kLanes; what was added for that has `inside` 0.
 class RefinementSamples {
  public:
+  /// The pixels of the right image about a sample.
+  struct Corners {
+    std::uint8_t up[2], down[2];
+  };
   static constexpr int kLanes = 8;  ///< partial sums, fixed so that every processor adds in the same order
 
   /// At most about `most` pixels of the region. Pixels whose residual exceeds `limit` [px, for each pixel] are not taken.
@@ -48,7 +52,7 @@ class RefinementSamples {
   double center_u_ = 0, center_v_ = 0, scale_ = 1;
   std::vector<int> row_, place_;  ///< place: of the pixel up and left in the right image
   std::vector<float> u_, left_, inside_, fraction_;
-  std::vector<std::uint8_t> up_left_, up_right_, down_left_, down_right_;  ///< of the right image about the sample
+  std::vector<Corners> corners_;
   std::vector<float> sorted_;
 };
 
