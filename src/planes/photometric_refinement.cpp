@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 
 namespace cabinet_articulation::core {
@@ -30,15 +32,30 @@ struct Rows {
   size_t size;
 };
 
-/// Adds eight samples to the normal equations: the products of the weighted derivatives, then those with the residual.
-inline void addProducts(const Lane* derivative, const Lane& weight, const Lane& residual, Lane* sums) {
+/// A vector of the compiler, which splits it where registers are shorter.
+using Vector __attribute__((vector_size(sizeof(Lane)))) = float;
+
+/// What eight samples add to the normal equations.
+struct Terms {
+  Vector derivative[kUnknowns], weight, residual;
+};
+
+/// One after the other: the products of the weighted derivatives, then those with the residual. N at once load and store each
+/// sum once.
+template <size_t N>
+inline void addTerms(const Terms* terms, Vector* sums) {
   int product = 0;
   for (int k = 0; k < kUnknowns; ++k) {
-    Lane weighted;
-    for (int i = 0; i < kLanes; ++i) weighted[i] = weight[i] * derivative[k][i];
-    for (int m = 0; m <= k; ++m, ++product)
-      for (int i = 0; i < kLanes; ++i) sums[product][i] += weighted[i] * derivative[m][i];
-    for (int i = 0; i < kLanes; ++i) sums[kProducts + k][i] += weighted[i] * residual[i];
+    Vector weighted[N];
+    for (size_t n = 0; n < N; ++n) weighted[n] = terms[n].weight * terms[n].derivative[k];
+    for (int m = 0; m <= k; ++m, ++product) {
+      Vector sum = sums[product];
+      for (size_t n = 0; n < N; ++n) sum += weighted[n] * terms[n].derivative[m];
+      sums[product] = sum;
+    }
+    Vector sum = sums[kProducts + k];
+    for (size_t n = 0; n < N; ++n) sum += weighted[n] * terms[n].residual;
+    sums[kProducts + k] = sum;
   }
 }
 
@@ -52,21 +69,39 @@ inline void robustWeights(const float* residual, const float* seen, float sigma,
   }
 }
 
+inline void load(const float* values, Vector* vector) { std::memcpy(vector, values, sizeof(*vector)); }
+
+inline void describe(const Rows& rows, size_t start, float gain, float sigma, Terms* terms) {
+  Vector x, y, slope, right, gradient, row_gradient;
+  load(rows.x + start, &x);
+  load(rows.y + start, &y);
+  load(rows.slope + start, &slope);
+  load(rows.right + start, &right);
+  load(rows.gradient + start, &gradient);
+  load(rows.row_gradient + start, &row_gradient);
+  load(rows.residual + start, &terms->residual);
+  slope = (gain * gradient + slope) / 2;
+  const Vector derivative[] = {slope * x, slope * y, slope, -gain * row_gradient, -right, Vector{} - 1};
+  std::copy(std::begin(derivative), std::end(derivative), terms->derivative);
+  Lane weight;
+  robustWeights(rows.residual + start, rows.seen + start, sigma, &weight);
+  load(weight, &terms->weight);
+}
+
 /// Every processor adds the same numbers in the same order: no fused operations are among the targets.
 __attribute__((target_clones("avx2", "default"))) void addRows(const Rows& rows, float gain, float sigma, Lane* sums) {
-  for (size_t start = 0; start < rows.size; start += kLanes) {
-    Lane derivative[kUnknowns], weight, residual;
-    robustWeights(rows.residual + start, rows.seen + start, sigma, &weight);
-    Lane& slope = derivative[2];
-    for (int i = 0; i < kLanes; ++i) slope[i] = (gain * rows.gradient[start + i] + rows.slope[start + i]) / 2;
-    for (int i = 0; i < kLanes; ++i) derivative[0][i] = slope[i] * rows.x[start + i];
-    for (int i = 0; i < kLanes; ++i) derivative[1][i] = slope[i] * rows.y[start + i];
-    for (int i = 0; i < kLanes; ++i) derivative[3][i] = -gain * rows.row_gradient[start + i];
-    for (int i = 0; i < kLanes; ++i) derivative[4][i] = -rows.right[start + i];
-    for (int i = 0; i < kLanes; ++i) derivative[5][i] = -1;
-    for (int i = 0; i < kLanes; ++i) residual[i] = rows.residual[start + i];
-    addProducts(derivative, weight, residual, sums);
+  Vector vectors[kSums] = {};
+  Terms terms[4];
+  size_t start = 0;
+  for (; start + std::size(terms) * kLanes <= rows.size; start += std::size(terms) * kLanes) {
+    for (size_t n = 0; n < std::size(terms); ++n) describe(rows, start + n * kLanes, gain, sigma, &terms[n]);
+    addTerms<std::size(terms)>(terms, vectors);
   }
+  for (; start < rows.size; start += kLanes) {
+    describe(rows, start, gain, sigma, terms);
+    addTerms<1>(terms, vectors);
+  }
+  std::memcpy(sums, vectors, sizeof(vectors));
 }
 
 double total(const Lane& lane) {
