@@ -34,8 +34,8 @@ void DuplicateMerger::process(cv::Size image, RegionSet* set) {
     const int index = static_cast<int>(kept_.size());
     for (int i = region.first_run; i < region.last_run; ++i) {
       const CellRun& run = set->runs[i];
-      for (int col = run.begin; col < run.end; ++col)
-        if (owner_(run.row, col) < 0) owner_(run.row, col) = index;
+      int* const owner = owner_[run.row];
+      for (int col = run.begin; col < run.end; ++col) owner[col] = owner[col] < 0 ? index : owner[col];
     }
     kept_.push_back(region);
   }
@@ -46,8 +46,9 @@ bool DuplicateMerger::isDuplicate(const GrownRegion& region, const RegionSet& se
   shared_.assign(kept_.size(), 0);
   for (int i = region.first_run; i < region.last_run; ++i) {
     const CellRun& run = set.runs[i];
+    const int* const owner = owner_[run.row];
     for (int col = run.begin; col < run.end; ++col)
-      if (owner_(run.row, col) >= 0) ++shared_[owner_(run.row, col)];
+      if (owner[col] >= 0) ++shared_[owner[col]];
   }
   for (size_t k = 0; k < kept_.size(); ++k)
     if (shared_[k] >= config_.duplicate_overlap * region.cells &&

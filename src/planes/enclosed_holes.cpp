@@ -10,6 +10,20 @@ namespace {
 
 enum Passage : std::uint8_t { kWall, kWay, kOutside };
 
+void markWays(const std::uint8_t* __restrict labels, int n, std::uint8_t* __restrict passages) {
+  for (int u = 0; u < n; ++u) passages[u] = labels[u] == kFree || labels[u] == kUnknown ? kWay : kWall;
+}
+
+int markEnclosed(const std::uint8_t* __restrict labels, const std::uint8_t* __restrict passages, int n,
+                 std::uint8_t* __restrict enclosed) {
+  int count = 0;
+  for (int u = 0; u < n; ++u) {
+    enclosed[u] = labels[u] == kFree && passages[u] == kWay ? 1 : 0;
+    count += enclosed[u];
+  }
+  return count;
+}
+
 }  // namespace
 
 void EnclosedHoles::label(const std::vector<cv::Point2f>& hull, int inliers, cv::Mat1b* mask) {
@@ -22,16 +36,10 @@ void EnclosedHoles::label(const std::vector<cv::Point2f>& hull, int inliers, cv:
   open_.create(box.height + 2, box.width + 2);
   open_.setTo(kWay);
   enclosed_.create(box.size());
-  for (int v = 0; v < box.height; ++v)
-    for (int u = 0; u < box.width; ++u) open_(v + 1, u + 1) = labels(v, u) == kFree || labels(v, u) == kUnknown ? kWay : kWall;
+  for (int v = 0; v < box.height; ++v) markWays(labels[v], box.width, open_[v + 1] + 1);
   cv::floodFill(open_, {0, 0}, kOutside);
   int holes = 0;
-  for (int v = 0; v < box.height; ++v) {
-    for (int u = 0; u < box.width; ++u) {
-      enclosed_(v, u) = labels(v, u) == kFree && open_(v + 1, u + 1) == kWay;
-      holes += enclosed_(v, u);
-    }
-  }
+  for (int v = 0; v < box.height; ++v) holes += markEnclosed(labels[v], open_[v + 1] + 1, box.width, enclosed_[v]);
   if (holes >= kHollowShare * area) labels.setTo(kHole, enclosed_);
 }
 

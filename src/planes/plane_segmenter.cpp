@@ -5,6 +5,7 @@
 #include <cassert>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "cabinet_articulation/geometry/limits.h"
 #include "planes/duplicate_merger.h"
@@ -33,12 +34,18 @@ std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set)
   return hull;
 }
 
+__attribute__((target_clones("avx2", "default"))) int countMeasured(const float* disparity, int n) {
+  int count = 0;
+  for (int u = 0; u < n; ++u) count += isValidDisparity(disparity[u]) ? 1 : 0;
+  return count;
+}
+
 int measuredPixels(const GrownRegion& region, const RegionSet& set, const cv::Mat1f& disparity) {
   int n = 0;
   for (int i = region.first_run; i < region.last_run; ++i) {
     const CellRun& run = set.runs[i];
     for (int v = run.row * kCell; v < (run.row + 1) * kCell; ++v)
-      n += static_cast<int>(std::count_if(disparity[v] + run.begin * kCell, disparity[v] + run.end * kCell, isValidDisparity));
+      n += countMeasured(disparity[v] + run.begin * kCell, (run.end - run.begin) * kCell);
   }
   return n;
 }
@@ -116,8 +123,11 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   const cv::Mat1f& disparity = b.disparity;
   RegionSet& set = b.growing.process(frame, b.consensus.process(frame));
   b.merger.process(disparity.size(), &set);
+  // Each fold appends runs or drops its region; without one, nothing could merge again.
+  const auto size = [&set] { return std::make_pair(set.regions.size(), set.runs.size()); };
+  const auto flat = size();
   b.growing.unfold(frame.camera, &b.fold_search);
-  b.merger.process(disparity.size(), &set);
+  if (size() != flat) b.merger.process(disparity.size(), &set);
   b.growing.trim(b.competition.processCells(b.growing.cells(), set));
   b.merger.process(disparity.size(), &set);
   if (config_.refine && !frame.left.empty()) {
