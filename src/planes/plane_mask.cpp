@@ -19,7 +19,7 @@ struct RowPlane {
 namespace {
 
 using detail::RowPlane;
-constexpr int kBlock = 32;  ///< [px] side
+constexpr int kBlock = 16;  ///< [px] side
 
 // Selections without branches, so that the loops vectorise. A point in front of the plane has the larger disparity.
 inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance, int in_plane) {

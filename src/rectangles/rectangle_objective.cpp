@@ -61,8 +61,11 @@ void RectangleObjective::extend(int v, int u_begin, int u_end) const {
   // Somewhat more than asked for, since the search comes back with a slightly larger rectangle.
   const int begin = std::max(u_begin - kAhead, 0);
   const int end = std::min(u_end + kAhead, mask_.cols);
-  for (int u = ready.begin; u > begin; --u) sums[u - 1] = sums[u] - weights_[labels[u - 1]];
-  for (int u = ready.end; u < end; ++u) sums[u + 1] = sums[u] + weights_[labels[u]];
+  const std::int32_t* const weights = weights_.data();
+  std::int32_t sum = sums[ready.begin];
+  for (int u = ready.begin; u > begin; --u) sums[u - 1] = sum -= weights[labels[u - 1]];
+  sum = sums[ready.end];
+  for (int u = ready.end; u < end; ++u) sums[u + 1] = sum += weights[labels[u]];
   ready = {std::min(ready.begin, begin), std::max(ready.end, end)};
 }
 
