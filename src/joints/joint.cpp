@@ -67,7 +67,7 @@ double openingAt(const LearnedModel& model, double q) {
 void requireClosed(const LearnedModel& model) {
   requireJoint(model);
   if (!model.closed_known)
-    throw ModelError("it is not known where " + nameOf(model) + " is closed, for it was not seen closed; ask in q");
+    throw ModelError("it is not known where " + inWords(model) + " is closed, for it was not seen closed; ask in q");
 }
 
 double configurationAtOpening(const LearnedModel& model, double opening) {

@@ -26,7 +26,7 @@ void DuplicateMerger::process(cv::Size image, RegionSet* set) {
   std::stable_sort(set->regions.begin(), set->regions.end(),
                    [](const GrownRegion& a, const GrownRegion& b) { return a.cells > b.cells; });
   owner_.create(image.height / kCell, image.width / kCell);
-  owner_.setTo(-1);
+  for (int row = 0; row < owner_.rows; ++row) std::fill_n(owner_[row], owner_.cols, -1);
   kept_.clear();
   for (const GrownRegion& region : set->regions) {
     if (static_cast<int>(kept_.size()) == config_.max_regions) break;
@@ -47,8 +47,11 @@ bool DuplicateMerger::isDuplicate(const GrownRegion& region, const RegionSet& se
   for (int i = region.first_run; i < region.last_run; ++i) {
     const CellRun& run = set.runs[i];
     const int* const owner = owner_[run.row];
-    for (int col = run.begin; col < run.end; ++col)
-      if (owner[col] >= 0) ++shared_[owner[col]];
+    // Neighbours have one owner mostly; counting each in memory would wait for the one before.
+    for (int col = run.begin, end = col; col < run.end; col = end) {
+      while (end < run.end && owner[end] == owner[col]) ++end;
+      if (owner[col] >= 0) shared_[owner[col]] += end - col;
+    }
   }
   for (size_t k = 0; k < kept_.size(); ++k)
     if (shared_[k] >= config_.duplicate_overlap * region.cells &&

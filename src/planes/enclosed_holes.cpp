@@ -33,14 +33,19 @@ void EnclosedHoles::label(const std::vector<cv::Point2f>& hull, int inliers, cv:
   const cv::Rect box = cv::boundingRect(hull) & cv::Rect({0, 0}, mask->size());
   if (box.empty()) return;
   cv::Mat1b labels = (*mask)(box);
-  open_.create(box.height + 2, box.width + 2);
-  open_.setTo(kWay);
-  enclosed_.create(box.size());
-  for (int v = 0; v < box.height; ++v) markWays(labels[v], box.width, open_[v + 1] + 1);
-  cv::floodFill(open_, {0, 0}, kOutside);
+  // Parts of images as large as the mask, which are allocated once.
+  open_.create(mask->rows + 2, mask->cols + 2);
+  enclosed_.create(mask->size());
+  reached_.create(open_.rows + 2, open_.cols + 2);
+  cv::Mat1b open = open_(cv::Rect(0, 0, box.width + 2, box.height + 2)), enclosed = enclosed_(box);
+  open.setTo(kWay);
+  for (int v = 0; v < box.height; ++v) markWays(labels[v], box.width, open[v + 1] + 1);
+  cv::Mat1b reached = reached_(cv::Rect(0, 0, open.cols + 2, open.rows + 2));
+  reached.setTo(0);
+  cv::floodFill(open, reached, {0, 0}, kOutside);
   int holes = 0;
-  for (int v = 0; v < box.height; ++v) holes += markEnclosed(labels[v], open_[v + 1] + 1, box.width, enclosed_[v]);
-  if (holes >= kHollowShare * area) labels.setTo(kHole, enclosed_);
+  for (int v = 0; v < box.height; ++v) holes += markEnclosed(labels[v], open[v + 1] + 1, box.width, enclosed[v]);
+  if (holes >= kHollowShare * area) labels.setTo(kHole, enclosed);
 }
 
 }  // namespace cabinet_articulation::core

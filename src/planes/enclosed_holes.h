@@ -16,6 +16,7 @@ class EnclosedHoles {
 
  private:
   cv::Mat1b open_;      ///< where a way may lead, with a border around; then which of it leads outside
+  cv::Mat1b reached_;   ///< by the flood, with a border around
   cv::Mat1b enclosed_;  ///< not zero: free and enclosed
 };
 

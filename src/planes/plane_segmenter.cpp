@@ -23,14 +23,16 @@
 namespace cabinet_articulation::core {
 namespace {
 
-std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set) {
-  std::vector<cv::Point2f> ends, hull;
+/// `ends` is memory to use again.
+std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set, std::vector<cv::Point2f>* ends) {
+  std::vector<cv::Point2f> hull;
+  ends->clear();
   for (int i = region.first_run; i < region.last_run; ++i) {
     const CellRun& run = set.runs[i];
     for (const int u : {run.begin * kCell, run.end * kCell - 1})
-      for (const int v : {run.row * kCell, (run.row + 1) * kCell - 1}) ends.emplace_back(u, v);
+      for (const int v : {run.row * kCell, (run.row + 1) * kCell - 1}) ends->emplace_back(u, v);
   }
-  cv::convexHull(ends, hull);
+  cv::convexHull(*ends, hull);
   return hull;
 }
 
@@ -102,6 +104,7 @@ struct PlaneSegmenter::Buffers {
   PhotometricRefinement refinement;
   NoiseMask noise_mask;
   EnclosedHoles holes;
+  std::vector<cv::Point2f> ends;
   ImagePool<cv::Mat1b> masks;
 };
 
@@ -145,7 +148,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
     if (!plane || !isNear(*plane, grown.plane)) continue;
     cv::Mat1b mask = b.masks.take(disparity.size());
     b.noise_mask.label(grown.plane, &mask);
-    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set), mask});
+    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set, &b.ends), mask});
     b.holes.label(regions.back().hull, regions.back().inliers, &mask);
   }
   return regions;

@@ -35,7 +35,7 @@ const cv::Mat1f& RegionCompetition::processCells(const cv::Mat1f& cells, const R
 void RegionCompetition::compete(const cv::Mat1f& values, int spacing, const RegionSet& set, cv::Mat1f* limit) const {
   const int per_cell = kCell / spacing;
   limit->create(values.size());
-  limit->setTo(kNoLimit);
+  for (int row = 0; row < limit->rows; ++row) std::fill_n((*limit)[row], limit->cols, kNoLimit);
   const float margin = static_cast<float>(config_.other_plane_margin);
   for (const GrownRegion& region : set.regions)
     for (int i = region.first_run; i < region.last_run; ++i) {

@@ -29,6 +29,16 @@ __attribute__((target_clones("avx2", "default"))) void shrinkRows(const float* u
   }
 }
 
+/// Marks the cells [begin, end) of a row whose residual is within `limit`.
+__attribute__((target_clones("avx2", "default"))) void markWithin(const float* __restrict disparity,
+                                                                  const float* __restrict limit, int begin, int end,
+                                                                  DisparityPlane plane, int v, std::uint8_t* __restrict out) {
+  for (int col = begin; col < end; ++col) {
+    const double residual = plane.at(col * kCell, v) - disparity[col];
+    out[col] = std::abs(residual) <= limit[col] ? 255 : 0;
+  }
+}
+
 }  // namespace
 
 RegionGrowing::RegionGrowing(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
@@ -53,10 +63,7 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
     in_plane_.setTo(0);
     for (int i = region.first_run; i < region.last_run; ++i) {
       const CellRun& run = untrimmed_.runs[i];
-      for (int col = run.begin; col < run.end; ++col) {
-        const double residual = region.plane.at(col * kCell, run.row * kCell) - disparity_(run.row, col);
-        if (std::abs(residual) <= limit(run.row, col)) in_plane_(run.row, col) = 255;
-      }
+      markWithin(disparity_[run.row], limit[run.row], run.begin, run.end, region.plane, run.row * kCell, in_plane_[run.row]);
     }
     addComponents(region.plane);
   }

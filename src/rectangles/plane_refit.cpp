@@ -69,8 +69,7 @@ void PlaneRefit::refit(const DepthFrame& frame, double most, std::vector<Rectang
     quads.push_back(*quad);
   }
   if (small.empty()) return;
-  tolerance_.create(frame.left.size());
-  tolerance_.setTo(kTolerance);
+  if (tolerance_.size() != frame.left.size()) tolerance_ = cv::Mat1f(frame.left.size(), kTolerance);
   refinement_.process(frame, tolerance_, &set_);
   for (size_t i = 0; i < small.size(); ++i) {
     RectangleCandidate& candidate = *small[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers.h"
 
+#include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "ros/joints.h"
 #include "ros/model_drawing.h"

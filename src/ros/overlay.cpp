@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "cabinet_articulation/joints/joint.h"
 #include "ros/joints.h"
 #include "ros/model_drawing.h"
 #include "ros/overlay_labels.h"

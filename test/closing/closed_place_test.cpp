@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cabinet_articulation/joints/joint.h"
 #include "support/models.h"
 
 namespace cabinet_articulation::core {

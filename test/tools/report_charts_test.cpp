@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cabinet_articulation/joints/joint.h"
 #include "geometry/degrees.h"
 #include "support/models.h"
 #include "tools/report/front_charts.h"

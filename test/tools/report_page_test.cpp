@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "cabinet_articulation/joints/joint.h"
 #include "support/models.h"
 #include "tools/report/page.h"
 #include "tools/report_document.h"
