@@ -82,17 +82,21 @@ std::vector<CurvePoint> learningCurve(const TrackSource& source, int runs, int f
   return points;
 }
 
-UnseenOpening predictUnseen(const TrackSource& source, double share) {
+OpeningSplit splitOpening(const TrackSource& source, double share) {
   constexpr double kFarEnd = 0.9;
   double farthest = 0;
   for (const ReferencePose& pose : source.reference()) farthest = std::max(farthest, pose.opened);
-  std::vector<int> seen;
-  std::vector<ReferencePose> far_end;
+  OpeningSplit split;
   for (std::size_t i = 0; i < source.reference().size(); ++i) {
     const ReferencePose& pose = source.reference()[i];
-    if (pose.opened >= kFarEnd * farthest) far_end.push_back(pose);
-    if (seen.size() == i && pose.opened <= share * farthest) seen.push_back(static_cast<int>(i));
+    if (pose.opened >= kFarEnd * farthest) split.far_end.push_back(pose);
+    if (split.seen.size() == i && pose.opened <= share * farthest) split.seen.push_back(static_cast<int>(i));
   }
+  return split;
+}
+
+UnseenOpening predictUnseen(const TrackSource& source, double share) {
+  const auto [seen, far_end] = splitOpening(source, share);
   UnseenOpening result;
   result.share = share;
   const ArticulationConfig config = learnerConfig(source.facts());

@@ -43,6 +43,14 @@ struct CurvePoint {
 /// model after each of the numbers of observations in `counts`.
 std::vector<CurvePoint> learningCurve(const TrackSource& source, int runs, int frames, const std::vector<int>& counts);
 
+/// The frames before the front had opened by a share of its range for the first time, and the farthest tenth of the opening.
+struct OpeningSplit {
+  std::vector<int> seen;
+  std::vector<ReferencePose> far_end;
+};
+
+OpeningSplit splitOpening(const TrackSource& source, double share);
+
 /// Trained on what came before the front had opened by `share` of its range for the first time.
 struct UnseenOpening {
   double share = 0;

@@ -6,12 +6,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "geometry/degrees.h"
+#include "kinds/joint_kinds.h"
 #include "tools/pose_log.h"
 #include "tools/report/track_plot.h"
 
@@ -20,14 +22,16 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: fit_track FILE... [--sigma-position M] [--sigma-orientation RAD] [--positions-only] [--seed N]\n"
-    "                         [--config DIR] [--plot FILE.png]\n"
+    "                         [--config DIR] [--plot FILE.png] [--kinds FILE]...\n"
     "Learns how the front of each log moves and prints one CSV line per file. A log has one pose a line, in metres:\n"
     "x y z [qx qy qz qw [width height]]. DIR/articulation.yaml has other settings than the defaults.\n"
+    "--kinds takes a log of another front first: where that is of the same kind of joint, it says how this one goes on.\n"
     "--plot draws one log: poses and axis from above and from the side, openings, and the types' probabilities.\n";
 
 struct Options {
   std::vector<std::string> files;
-  std::string plot;  ///< a picture; empty: none
+  std::vector<std::string> kinds;  ///< logs that teach kinds of joints
+  std::string plot;                ///< a picture; empty: none
   ArticulationConfig config;
 };
 
@@ -71,6 +75,8 @@ Options parseOptions(int argc, char** argv) {
       ++i;  // see baseConfig()
     } else if (word == "--plot") {
       options.plot = value("a file's name");
+    } else if (word == "--kinds") {
+      options.kinds.push_back(value("a file's name"));
     } else if (word.rfind("--", 0) == 0) {
       throw ConfigError("unknown option " + word);
     } else {
@@ -107,34 +113,64 @@ void printModel(const std::string& file, const LearnedModel& model, double milli
               toDegrees(model.orientation_error), milliseconds);
 }
 
-/// Positions alone tell no orientation.
-ArticulationConfig configFor(const PoseLog& log, ArticulationConfig config) {
-  config.use_orientation = config.use_orientation && log.columns > 3;
-  return config;
+/// A log with the settings that are right for it.
+struct LogToFit {
+  Track track;
+  ArticulationConfig config;
+  std::string warning;
+
+  LearnedModel learn() const { return ArticulationLearner(config).process({track}).at(0); }
+};
+
+LogToFit readLog(const std::string& file, const Options& options) {
+  const PoseLog log = readPoseLog(file);
+  LogToFit result{log.track, options.config, log.warning};
+  result.config.use_orientation = options.config.use_orientation && log.columns > 3;
+  return result;
+}
+
+void warnOf(const std::string& file, const LogToFit& log) {
+  if (!log.warning.empty()) std::fprintf(stderr, "fit_track: %s: %s\n", file.c_str(), log.warning.c_str());
 }
 
 /// The log without its folder is the heading.
 void plotFile(const std::string& file, const Options& options) {
   const std::string name = std::filesystem::path(file).filename().string();
-  const PoseLog log = readPoseLog(file);
-  if (!cv::imwrite(options.plot, plotTrack(log.track, configFor(log, options.config), name)))
+  const LogToFit log = readLog(file, options);
+  if (!cv::imwrite(options.plot, plotTrack(log.track, log.config, name)))
     throw std::runtime_error(options.plot + " cannot be written");
 }
 
-void fitFile(const std::string& file, const Options& options) {
-  const PoseLog log = readPoseLog(file);
-  if (!log.warning.empty()) std::fprintf(stderr, "fit_track: %s: %s\n", file.c_str(), log.warning.c_str());
+/// Throws PoseLogError.
+JointKinds learnKinds(const Options& options) {
+  JointKinds kinds({}, options.config.prior);
+  for (const std::string& file : options.kinds) {
+    const LogToFit log = readLog(file, options);
+    warnOf(file, log);
+    if (!kinds.add(log.learn(), log.track, log.config))
+      std::fprintf(stderr, "fit_track: %s teaches no kind: no door or drawer was seen to move there\n", file.c_str());
+  }
+  return kinds;
+}
+
+void fitFile(const std::string& file, const JointKinds& kinds, const Options& options) {
+  const LogToFit log = readLog(file, options);
+  warnOf(file, log);
   const auto start = std::chrono::steady_clock::now();
-  ArticulationLearner learner(configFor(log, options.config));
-  const std::vector<LearnedModel> models = learner.process({log.track});
+  const LearnedModel model = kinds.predict(log.learn(), log.track, log.config);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-  printModel(file, models.at(0), elapsed.count());
+  printModel(file, model, elapsed.count());
 }
 
 int run(int argc, char** argv) {
   Options options;
+  std::optional<JointKinds> kinds;
   try {
     options = parseOptions(argc, argv);
+    kinds = learnKinds(options);
+  } catch (const PoseLogError& error) {
+    std::fprintf(stderr, "fit_track: --kinds: %s\n", error.what());
+    return 2;
   } catch (const ConfigError& error) {
     std::fprintf(stderr, "fit_track: %s\n%s", error.what(), kUsage);
     return 2;
@@ -143,7 +179,7 @@ int run(int argc, char** argv) {
   int status = 0;
   for (const std::string& file : options.files) {
     try {
-      fitFile(file, options);
+      fitFile(file, *kinds, options);
     } catch (const std::exception& error) {
       std::printf("%s,error,,,,,,,,\n", file.c_str());
       std::fprintf(stderr, "fit_track: %s\n", error.what());

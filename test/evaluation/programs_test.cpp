@@ -57,6 +57,7 @@ class ProgramsTest : public testing::Test {
     log.close();
     ASSERT_EQ(run("fig03_depth_error", "--distances 1"), 0);
     ASSERT_EQ(run("fig11_detection", "--poses 8 --scenes 0 --failures " + (folder() / "failures").string()), 0);
+    ASSERT_EQ(run("kinds_prediction", "--tracks " + folder().string()), 0);
     ASSERT_EQ(run("fig12_models", "--runs 2 --scenes 0 --fronts 5 --tracks " + folder().string()), 0);
     ASSERT_EQ(run("learner_answers", "--tracks " + folder().string()), 0);
     for (const std::string script : {"/plot.py ", "/summarize.py "})
@@ -102,6 +103,16 @@ TEST_F(ProgramsTest, Detection) {
   int judged = 0;
   for (const Row& row : readTable(folder() / "fig11.csv")) judged += std::stoi(row.at("judged"));
   EXPECT_EQ(judged, 24);
+}
+
+/// The only log has no other to learn from.
+TEST_F(ProgramsTest, Kinds) {
+  const std::vector<Row> logs = readTable(folder() / "kinds.csv"), sets = readTable(folder() / "kinds_sets.csv");
+  ASSERT_EQ(logs.size(), 1U);
+  EXPECT_EQ(logs[0].at("set"), "prismatic");
+  EXPECT_EQ(logs[0].at("set_mm"), logs[0].at("alone_mm"));
+  ASSERT_EQ(sets.size(), 1U);
+  EXPECT_EQ(sets[0].at("logs"), "1");
 }
 
 TEST_F(ProgramsTest, Models) {

@@ -25,6 +25,7 @@ LAYERS = {
     'tracking': {'config', 'geometry', 'rectangles'},
     'articulation': {'config', 'geometry', 'rectangles', 'tracking'},
     'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
+    'kinds': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
     'closing': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints'},
     'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints', 'closing'},
     'simulation': {'config', 'geometry', 'stereo'},

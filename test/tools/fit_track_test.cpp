@@ -102,5 +102,36 @@ TEST_F(FitTrack, SaysWhatIsWrongWithAPlot) {
   EXPECT_FALSE(std::filesystem::exists(path("none.png")));
 }
 
+/// The first quarter of a door's way, which slips by 2 mm, goes on as other doors did.
+TEST_F(FitTrack, KnowsFromOtherLogsHowADoorGoesOn) {
+  std::ofstream begun(path("begun.log"));
+  for (int i = 0; i <= 20; ++i) {
+    const double angle = M_PI / 180 * i, slip = 0.002 * std::sin(i / 20.0 * M_PI);
+    begun << 1 + (0.4 - slip) * std::cos(angle) << " 1 " << -(0.4 - slip) * std::sin(angle) << '\n';
+  }
+  begun.close();
+  const auto radius = [](const std::string& text) {
+    std::istringstream line(text.substr(text.find("begun.log")));
+    std::string cell;
+    for (int i = 0; i < 6; ++i) std::getline(line, cell, ',');
+    return std::atof(cell.c_str());
+  };
+  const Outcome alone = run("begun.log"), with_kinds = run("begun.log --kinds door.log --kinds door.log");
+  EXPECT_EQ(with_kinds.status, 0) << with_kinds.text;
+  EXPECT_NE(with_kinds.text.find("begun.log,rotational"), std::string::npos) << with_kinds.text;
+  EXPECT_NEAR(radius(with_kinds.text), 0.4, 0.02) << with_kinds.text;
+  EXPECT_GT(std::abs(radius(alone.text) - 0.4), 0.05) << alone.text;
+}
+
+TEST_F(FitTrack, SaysWhichLogTeachesNoKind) {
+  std::ofstream(path("rest.log")) << "1 2 3\n1 2 3\n1 2 3\n";
+  const Outcome outcome = run("door.log --kinds rest.log");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.text.find("rest.log teaches no kind"), std::string::npos) << outcome.text;
+  const Outcome missing = run("door.log --kinds nowhere.log");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.text.find("--kinds: nowhere.log"), std::string::npos) << missing.text;
+}
+
 }  // namespace
 }  // namespace cabinet_articulation

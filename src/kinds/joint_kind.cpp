@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinds/joint_kind.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <utility>
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// Log of the multivariate gamma function, up to a constant of the dimension.
+double logGamma(int dimensions, double x) {
+  double sum = 0;
+  for (int i = 0; i < dimensions; ++i) sum += std::lgamma(x - 0.5 * i);
+  return sum;
+}
+
+}  // namespace
+
+double ShapePrior::cost(const Eigen::VectorXd& difference) const {
+  const double square = difference.dot(precision * difference);
+  if (std::isinf(degrees_of_freedom)) return 0.5 * square;
+  return 0.5 * (degrees_of_freedom + mean.dimensions()) * std::log1p(square / degrees_of_freedom);
+}
+
+double ShapePrior::weight(const Eigen::VectorXd& difference) const {
+  if (std::isinf(degrees_of_freedom)) return 1;
+  return (degrees_of_freedom + mean.dimensions()) / (degrees_of_freedom + difference.dot(precision * difference));
+}
+
+JointKind::JointKind(std::vector<JointShape> shapes, const KindsConfig& config)
+    : shapes_(std::move(shapes)), mean_(meanShape(shapes_)) {
+  const int d = mean_.dimensions();
+  prior_freedom_ = d + 1 + config.spread_joints;
+  Eigen::VectorXd variances = Eigen::VectorXd::Constant(d, config.turn_spread * config.turn_spread);
+  if (mean_.turns()) variances[d - 1] = config.size_spread * config.size_spread;
+  prior_scatter_ = Eigen::MatrixXd(config.spread_joints * variances.asDiagonal());
+  scatter_ = prior_scatter_;
+  for (const JointShape& shape : shapes_) {
+    const Eigen::VectorXd away = difference(shape, mean_);
+    scatter_ += away * away.transpose();
+  }
+}
+
+ShapePrior JointKind::next() const {
+  const int d = mean_.dimensions();
+  ShapePrior prior;
+  prior.mean = mean_;
+  prior.degrees_of_freedom = freedom() - d + 1;
+  const double share = prior.degrees_of_freedom * static_cast<double>(size()) / (static_cast<double>(size()) + 1);
+  prior.precision = share * scatter_.inverse();
+  const double half = prior.degrees_of_freedom / 2;
+  prior.log_constant = std::lgamma(half + 0.5 * d) - std::lgamma(half) - 0.5 * d * std::log(M_PI * prior.degrees_of_freedom) +
+                       0.5 * std::log(prior.precision.determinant());
+  return prior;
+}
+
+double JointKind::logEvidence() const {
+  const int d = mean_.dimensions();
+  const double n = static_cast<double>(size());
+  return -0.5 * d * ((n - 1) * std::log(M_PI) + std::log(n)) + logGamma(d, freedom() / 2) - logGamma(d, prior_freedom_ / 2) +
+         0.5 * prior_freedom_ * std::log(prior_scatter_.determinant()) - 0.5 * freedom() * std::log(scatter_.determinant());
+}
+
+}  // namespace cabinet_articulation::core

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinds/joint_kinds.h"
+
+#include <gtest/gtest.h>
+
+#include "articulation/synthetic_tracks.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+/// The i-th of some places in a house, none like another.
+Eigen::Isometry3d place(int i) {
+  return Eigen::Translation3d(i, -0.5 * i, 0.2 * i) * Eigen::AngleAxisd(0.7 * i, Eigen::Vector3d(0.1 * i, 0.2, 1).normalized());
+}
+
+Track moved(Track track, const Eigen::Isometry3d& by) {
+  for (TrackedObservation& observation : track.observations) observation.rectangle.pose = by * observation.rectangle.pose;
+  return track;
+}
+
+/// The front at place(i), opened from 0 to `q_end`.
+Track trackAt(SyntheticFront front, int i, double q_end) {
+  front.q_end = q_end;
+  front.poses = 60;
+  front.seed = static_cast<unsigned>(i + 1);
+  return moved(syntheticTrack(front), place(i));
+}
+
+SyntheticFront doorOf(double width) {
+  SyntheticFront front = door();
+  front.width = width;
+  return front;
+}
+
+/// Doors of `width` at other places, opened widely.
+void teach(const SyntheticFront& front, double q_end, int count, JointKinds* kinds) {
+  for (int i = 0; i < count; ++i) {
+    const Track track = trackAt(front, i, q_end);
+    ASSERT_TRUE(kinds->add(learn(track), track, {}));
+  }
+}
+
+/// [m] How far the prediction is from the front at `q`, at the nearest of its own openings.
+double errorAt(const LearnedModel& model, const SyntheticFront& front, int i, double q) {
+  const Eigen::Isometry3d truth = place(i) * truePose(front, q);
+  return (model.predict(model.configuration(truth)).translation() - truth.translation()).norm();
+}
+
+TEST(JointKinds, PredictsTheWholeRangeOfADoorOfAKnownKindElsewhere) {
+  JointKinds kinds({}, {});
+  teach(doorOf(0.5), 1.5, 3, &kinds);
+  ASSERT_EQ(kinds.kinds().size(), 1u);
+  double alone = 0, with_kinds = 0;
+  for (int i = 10; i < 15; ++i) {
+    const Track begun = trackAt(doorOf(0.5), i, 0.35);
+    const LearnedModel learned = learn(begun);
+    const LearnedModel predicted = kinds.predict(learned, begun, {});
+    EXPECT_EQ(predicted.type, JointType::kRotational);
+    alone += errorAt(learned, doorOf(0.5), i, 1.4) / 5;
+    with_kinds += errorAt(predicted, doorOf(0.5), i, 1.4) / 5;
+  }
+  EXPECT_LT(with_kinds, 0.015);  // radii of learned doors err by 1 %, directions by 1 degree
+  EXPECT_LT(with_kinds, alone / 2);
+}
+
+TEST(JointKinds, LeavesADoorOfANewKindToItsPoses) {
+  JointKinds kinds({}, {});
+  teach(doorOf(0.5), 1.5, 3, &kinds);
+  // It hangs at the opposite edge.
+  const Eigen::Isometry3d half_turn(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()));
+  Track begun = trackAt(doorOf(0.5), 10, 0.6);
+  for (TrackedObservation& observation : begun.observations) observation.rectangle.pose = observation.rectangle.pose * half_turn;
+  const LearnedModel learned = learn(begun);
+  const LearnedModel predicted = kinds.predict(learned, begun, {});
+  EXPECT_EQ(predicted.radius, learned.radius);
+  EXPECT_EQ(predicted.probabilities, learned.probabilities);
+  const Track opened = trackAt(drawer(), 11, 0.3);
+  ASSERT_TRUE(kinds.add(learn(opened), opened, {}));
+  EXPECT_EQ(kinds.kinds().size(), 2u);
+}
+
+TEST(JointKinds, IsOutweighedByPosesOfAnotherDoor) {
+  JointKinds kinds({}, {});
+  teach(doorOf(0.5), 1.5, 3, &kinds);
+  const Track opened = trackAt(doorOf(0.8), 10, 1.2);
+  const LearnedModel predicted = kinds.predict(learn(opened), opened, {});
+  EXPECT_LT(errorAt(predicted, doorOf(0.8), 10, 1.4), 0.01);
+  ASSERT_TRUE(kinds.add(learn(opened), opened, {}));
+  EXPECT_EQ(kinds.kinds().size(), 2u);
+}
+
+TEST(JointKinds, TellsADoorFromADrawerByTheirKinds) {
+  JointKinds kinds({}, {});
+  teach(doorOf(0.5), 1.5, 2, &kinds);
+  teach(drawer(), 0.4, 2, &kinds);
+  EXPECT_EQ(kinds.kinds().size(), 2u);
+  const Track door_begun = trackAt(doorOf(0.5), 10, 0.4), drawer_begun = trackAt(drawer(), 11, 0.12);
+  EXPECT_GT(probability(kinds.predict(learn(door_begun), door_begun, {}), JointType::kRotational), 0.95);
+  EXPECT_GT(probability(kinds.predict(learn(drawer_begun), drawer_begun, {}), JointType::kPrismatic), 0.95);
+}
+
+TEST(JointKinds, PositionsAloneKeepTheDirectionsOfTheirFrame) {
+  ArticulationConfig config;
+  config.use_orientation = false;
+  JointKinds kinds({}, {});
+  const auto begin = [](int i, double q_end) {
+    Track track = moved(trackAt(doorOf(0.5), i, q_end), place(i).inverse());
+    for (TrackedObservation& observation : track.observations) observation.rectangle.pose.linear().setIdentity();
+    return moved(track, Eigen::Isometry3d(Eigen::Translation3d(i, 0, 0)));
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Track track = begin(i, 1.5);
+    ASSERT_TRUE(kinds.add(learn(track, config), track, config));
+  }
+  EXPECT_EQ(kinds.kinds().size(), 1u);
+  const Track begun = begin(10, 0.4);
+  const LearnedModel predicted = kinds.predict(learn(begun, config), begun, config);
+  EXPECT_NEAR(predicted.radius, 0.25, 0.01);
+}
+
+TEST(JointKinds, TakesNothingFromAFrontAtRest) {
+  JointKinds kinds({}, {});
+  teach(doorOf(0.5), 1.5, 3, &kinds);
+  const Track track = trackAt(still(), 10, 0);
+  const LearnedModel learned = learn(track);
+  EXPECT_FALSE(kinds.add(learned, track, {}));
+  const LearnedModel predicted = kinds.predict(learned, track, {});
+  EXPECT_EQ(predicted.type, JointType::kRigid);
+  EXPECT_FALSE(predicted.moved);
+}
+
+}  // namespace
+}  // namespace cabinet_articulation::core
