@@ -8,6 +8,7 @@
 #include "csv_writer.h"
 #include "kinds/joint_kinds.h"
 #include "learning_curve.h"
+#include "merged_models.h"
 #include "options.h"
 #include "parallel.h"
 #include "statistics.h"
@@ -62,35 +63,46 @@ Prediction withKinds(const std::vector<Log>& logs, const Log& log, bool mixed) {
   return predictionOf(log, kinds.predict(*log.begun.model, log.begun.track, learnerConfig(log.source->facts())));
 }
 
+/// As the original release would, with all other logs of the same set.
+Prediction withMergedModels(const std::vector<Log>& logs, const Log& log) {
+  MergedModels models(learnerConfig(log.source->facts()));
+  for (const Log& other : logs)
+    if (&other != &log && other.set == log.set) models.store(other.whole.track);
+  return predictionOf(log, models.modelOf(log.begun.track));
+}
+
 int run(int argc, char** argv) {
   const Options options(argc, argv, {{"tracks", ""}});
   cv::setNumThreads(1);  // the cores work on different logs
   std::vector<Log> logs = readLogs(options.text("tracks"));
   const int count = static_cast<int>(logs.size());
   parallelFor(count, [&](int i) { learn(&logs[i]); });
-  std::vector<Prediction> alone(count), of_set(count), mixed(count);
+  std::vector<Prediction> alone(count), of_set(count), mixed(count), merged(count);
   parallelFor(count, [&](int i) {
     if (!logs[i].begun.model) return;
     alone[i] = predictionOf(logs[i], *logs[i].begun.model);
     of_set[i] = withKinds(logs, logs[i], false);
     mixed[i] = withKinds(logs, logs[i], true);
+    merged[i] = withMergedModels(logs, logs[i]);
   });
-  CsvWriter csv(options.out("kinds.csv"), "source,type,observations,alone,alone_mm,set,set_mm,mixed,mixed_mm");
+  CsvWriter csv(options.out("kinds.csv"), "source,type,observations,alone,alone_mm,set,set_mm,mixed,mixed_mm,merged,merged_mm");
   std::map<std::pair<std::string, std::string>, std::vector<std::vector<double>>> sets;
   for (int i = 0; i < count; ++i) {
     const SourceFacts& facts = logs[i].source->facts();
     csv.row(facts.name, modelName(facts.type), static_cast<int>(logs[i].begun.track.observations.size()),
             selectedName(alone[i].model), 1e3 * alone[i].error, selectedName(of_set[i].model), 1e3 * of_set[i].error,
-            selectedName(mixed[i].model), 1e3 * mixed[i].error);
+            selectedName(mixed[i].model), 1e3 * mixed[i].error, selectedName(merged[i].model), 1e3 * merged[i].error);
     auto& errors = sets[{logs[i].set, modelName(facts.type)}];
-    errors.resize(3);
+    errors.resize(4);
     errors[0].push_back(1e3 * alone[i].error);
     errors[1].push_back(1e3 * of_set[i].error);
     errors[2].push_back(1e3 * mixed[i].error);
+    errors[3].push_back(1e3 * merged[i].error);
   }
-  CsvWriter summary(options.out("kinds_sets.csv"), "set,type,logs,alone_mm,set_mm,mixed_mm");
+  CsvWriter summary(options.out("kinds_sets.csv"), "set,type,logs,alone_mm,set_mm,mixed_mm,merged_mm");
   for (const auto& [set, errors] : sets)
-    summary.row(set.first, set.second, static_cast<int>(errors[0].size()), mean(errors[0]), mean(errors[1]), mean(errors[2]));
+    summary.row(set.first, set.second, static_cast<int>(errors[0].size()), mean(errors[0]), mean(errors[1]), mean(errors[2]),
+                mean(errors[3]));
   return 0;
 }
 
