@@ -62,7 +62,7 @@ void EdgeProfile::addRow(const Row& row, int u_begin, int u_end, Moments* halves
       accumulate(m.r + lane, r);
       accumulate(m.rr + lane, r * r);
       accumulate(m.lr + lane, left * r);
-      lane += cv::v_float32x4::nlanes;
+      lane += Moments::kLanes / 2;
     }
   }
 }
@@ -115,7 +115,7 @@ void EdgeProfile::Moments::correlate(float* covariance, float* correlation) cons
   const float mean_l = l / n;
   const float variance_l = ll / n - mean_l * mean_l + kNoiseVariance;
   const cv::v_float32x4 pixels = cv::v_setall_f32(n);
-  for (int i = 0; i < kLanes; i += cv::v_float32x4::nlanes) {
+  for (int i = 0; i < kLanes; i += kLanes / 2) {
     const cv::v_float32x4 mean_r = cv::v_load(r + i) / pixels;
     const cv::v_float32x4 variance_r = cv::v_load(rr + i) / pixels - mean_r * mean_r + cv::v_setall_f32(kNoiseVariance);
     const cv::v_float32x4 both = cv::v_load(lr + i) / pixels - cv::v_setall_f32(mean_l) * mean_r;
