@@ -10,13 +10,12 @@
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
 #include "closing/closed_search.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kMostPlaces = 1000;  ///< as many as joints out of view stay known
-
-constexpr double kSameStamp = 1e-6;  ///< [s] what a stamp may lose on its way through the core
 
 bool canBeSearched(const LearnedModel& model) { return isJoint(model) && leavesItsPlane(model); }
 
@@ -39,12 +38,11 @@ void ClosedFinder::remember(const std::vector<LearnedModel>& joints) {
 
 /// Of the joints that were detected in the newest view.
 void ClosedFinder::noteEdges(const std::vector<LearnedModel>& models) {
-  constexpr double kBand = 0.015;  // [m] as neighbours are searched for
   if (memory_.views().empty()) return;
   const DepthView& view = memory_.views().back();
   for (const LearnedModel& model : models)
-    if (canBeSearched(model) && std::abs(model.stamp - view.stamp) < kSameStamp)
-      places_[model.id].edges.add(look(view, frontAt(model, model.q), kBand));
+    if (canBeSearched(model) && isSameStamp(model.stamp, view.stamp))
+      places_[model.id].edges.add(look(view, frontAt(model, model.q), kNeighbourBand));
 }
 
 bool ClosedFinder::isDue(const LearnedModel& model, double now) const {
@@ -105,9 +103,9 @@ void ClosedFinder::complete(std::vector<LearnedModel>* models) {
       continue;
     }
     const double q_closed = configurationInPlaneOf(place->second.closed, model);
-    // It was seen farther in.
-    if (!opensOutwardsFrom(model, q_closed)) places_.erase(place);
-    setClosed(opensOutwardsFrom(model, q_closed), q_closed, &model);
+    const bool still_closed = opensOutwardsFrom(model, q_closed);
+    if (!still_closed) places_.erase(place);  // it was seen farther in
+    setClosed(still_closed, q_closed, &model);
   }
 }
 

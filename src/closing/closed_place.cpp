@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/joints/joint.h"
+#include "geometry/turn_between.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -16,11 +17,6 @@ constexpr double kOfRange = 0.05;    ///< the same, of the range: where joints w
 /// The axis as the front at q sees it.
 Eigen::Vector3d axisOf(const LearnedModel& joint, double q) {
   return joint.predict(q).linear().transpose() * joint.axis.normalized();
-}
-
-double turnTo(const Eigen::Vector3d& normal, const Eigen::Vector3d& axis) {
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  return std::atan2(axis.dot(z.cross(normal)), z.dot(normal) - axis.z() * axis.dot(normal));
 }
 
 }  // namespace
@@ -36,12 +32,13 @@ Correction correctionTo(const SurfacePlane& plane, const LearnedModel& joint, do
   if (joint.type == JointType::kPrismatic) return {plane.c(0) / axis.z(), std::sqrt(plane.covariance(0, 0)) / std::abs(axis.z())};
   const Eigen::Vector3d normal = Eigen::Vector3d(-plane.c(1), -plane.c(2), 1).normalized();
   const Eigen::Vector3d J(0, -axis.y(), axis.x());
-  return {turnTo(normal, axis), std::sqrt(J.dot(plane.covariance * J))};
+  return {turnAbout(axis, Eigen::Vector3d::UnitZ(), normal), std::sqrt(J.dot(plane.covariance * J))};
 }
 
 double configurationInPlaneOf(const Rectangle& closed, const LearnedModel& joint) {
   const Eigen::Isometry3d T_fixed_origin = joint.predict(0);
-  if (joint.type != JointType::kPrismatic) return turnTo(T_fixed_origin.linear().transpose() * closed.normal(), axisOf(joint, 0));
+  if (joint.type != JointType::kPrismatic)
+    return turnAbout(axisOf(joint, 0), Eigen::Vector3d::UnitZ(), T_fixed_origin.linear().transpose() * closed.normal());
   return closed.normal().dot(closed.center() - T_fixed_origin.translation()) / closed.normal().dot(joint.axis.normalized());
 }
 

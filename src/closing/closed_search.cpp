@@ -14,7 +14,9 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kNear = 0.03;       ///< [m] points that may belong to a plane before it is fitted (as kBand of depth at 2 m)
+/// [m] Points that may belong to a plane before it is fitted: it may still be off by as much as neighbours may.
+constexpr double kNear = 2 * kNeighbourBand;
+
 constexpr int kScanStep = 2;         ///< cells; the search needs no more, and most of the time is spent there
 constexpr std::size_t kScanned = 6;  ///< views in which the surface is searched for; it rests, so few do
 
@@ -55,7 +57,8 @@ std::optional<double> scan(const LearnedModel& joint, const OwnEdges& edges, con
   for (double q = joint.q_min - steps.beyond; q <= joint.q_max + steps.beyond; q += steps.size) {
     if (!opensOutwardsFrom(joint, q)) continue;
     std::array<CellCount, 4> seen;
-    for (const DepthView* view : views) keepBest(look(*view, frontAt(joint, q), kNear / 2, kScanStep).beside, edges, &seen);
+    const Rectangle front = frontAt(joint, q);
+    for (const DepthView* view : views) keepBest(lookBeside(*view, front, kNeighbourBand, kScanStep), edges, &seen);
     const double odds = surfaceLogOdds(seen);
     if (odds <= best_odds) continue;
     best_odds = odds;
@@ -86,8 +89,9 @@ std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& 
   Surface surface{q, 0};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     std::vector<double> corrections;
+    const Rectangle front = frontAt(joint, surface.q);
     for (const DepthView* view : views) {
-      const std::optional<SurfacePlane> plane = fitSurface(surfacePoints(look(*view, frontAt(joint, surface.q), kNear), edges));
+      const std::optional<SurfacePlane> plane = fitSurface(surfacePoints(look(*view, front, kNear), edges));
       if (!plane) continue;
       const Correction correction = correctionTo(*plane, joint, surface.q);
       if (correction.sigma < sigmaOfFlush(joint)) corrections.push_back(correction.q);
@@ -116,8 +120,9 @@ std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& su
                                     const std::vector<const DepthView*>& views) {
   constexpr double kLogOdds = 3;  // [nats] ln 20, in one view
   std::vector<ClosedView> closed;
+  const Rectangle front_there = frontAt(joint, surface.q);
   for (const DepthView* view : views) {
-    const FrontInView seen = look(*view, frontAt(joint, surface.q), kNear);
+    const FrontInView seen = look(*view, front_there, kNear);
     const std::optional<SurfacePlane> plane = isFull(seen.inside) ? fitSurface(seen.front) : std::nullopt;
     if (!plane) continue;
     const Correction front = correctionTo(*plane, joint, surface.q);
@@ -143,9 +148,10 @@ std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& e
   constexpr std::size_t kLeastViews = 2;  // one may be wrong as a whole
   // A front goes no farther than it could be long: the search is over the whole way.
   if (!leavesItsPlane(joint) || joint.q_max - joint.q_min > limits::kSide.max) return std::nullopt;
-  const std::optional<double> found = scan(joint, edges, spread(views));
+  const std::vector<const DepthView*> scanned = spread(views);
+  const std::optional<double> found = scan(joint, edges, scanned);
   if (!found) return std::nullopt;
-  std::optional<Surface> surface = surfaceAround(joint, edges, *found, spread(views));
+  std::optional<Surface> surface = surfaceAround(joint, edges, *found, scanned);
   if (!surface) return std::nullopt;
   // An open front hides what is beside it. So the surface is looked at once more in those views in which the front may be closed,
   // and only those count that agree then.

@@ -20,6 +20,10 @@ namespace cabinet_articulation::core {
  * A front that was ajar all the time has an answer to the first question alone, and it was not seen closed.
  */
 
+/// [m] What is so near to a plane lies in it, when neighbours are looked for: the depth of a Kinect has
+/// steps of 12 mm at 2 m.
+constexpr double kNeighbourBand = 0.015;
+
 /// The front where it is closed, in the fixed frame. Nothing unless it was seen there.
 std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views);
 

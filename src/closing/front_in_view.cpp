@@ -38,28 +38,23 @@ cv::Rect cellsNear(const DepthView& view, const Rectangle& front) {
   return cv::Rect(first, cv::Point(cell(right + 1, view.columns), cell(bottom + 1, view.rows))) & all;
 }
 
-/// Counts and points of the part that a point of the front's plane belongs to.
-struct Part {
-  CellCount* count;
-  std::vector<Eigen::Vector3d>* points;
-};
+constexpr std::size_t kInside = 4;  ///< the part that is no edge's
 
-std::optional<Part> partAt(double x, double y, const Rectangle& front, FrontInView* result) {
+/// The edge that a point of the front's plane is beside, or kInside.
+std::optional<std::size_t> partAt(double x, double y, const Rectangle& front) {
   const double beyond_x = std::abs(x) - front.width / 2, beyond_y = std::abs(y) - front.height / 2;
-  if (beyond_x < -kGap && beyond_y < -kGap) return Part{&result->inside, &result->front};
+  if (beyond_x < -kGap && beyond_y < -kGap) return kInside;
   if (std::min(beyond_x, beyond_y) > 0 || std::max(beyond_x, beyond_y) < kGap) return std::nullopt;
   if (std::max(beyond_x, beyond_y) > kBeside) return std::nullopt;
-  const Edge edge = beyond_x > beyond_y ? (x < 0 ? kEdgeMinusX : kEdgePlusX) : (y < 0 ? kEdgeMinusY : kEdgePlusY);
-  return Part{&result->beside[edge], &result->around[edge]};
+  return beyond_x > beyond_y ? (x < 0 ? kEdgeMinusX : kEdgePlusX) : (y < 0 ? kEdgeMinusY : kEdgePlusY);
 }
 
-}  // namespace
-
-FrontInView look(const DepthView& view, const Rectangle& front, double band, int step) {
-  FrontInView result;
+/// Calls `use(part, point)` with the measured point of every `step`-th cell, in the front's frame.
+template <class Use>
+void forEachPoint(const DepthView& view, const Rectangle& front, int step, Use&& use) {
   const Eigen::Isometry3d T_front_camera = front.pose.inverse() * view.T_fixed_camera;
   const Eigen::Vector3d eye = T_front_camera.translation();
-  if (eye.z() <= 0) return result;
+  if (eye.z() <= 0) return;
   const cv::Rect cells = cellsNear(view, front);
   for (int row = cells.y; row < cells.br().y; row += step)
     for (int column = cells.x; column < cells.br().x; column += step) {
@@ -68,19 +63,36 @@ FrontInView look(const DepthView& view, const Rectangle& front, double band, int
       const Eigen::Vector3d ray = T_front_camera.linear() * view.ray(column, row);
       if (-ray.z() < kGrazing * ray.norm()) continue;
       const Eigen::Vector3d hit = eye - ray * (eye.z() / ray.z());
-      const std::optional<Part> part = partAt(hit.x(), hit.y(), front, &result);
-      if (!part) continue;
-      const Eigen::Vector3d point = eye + depth * ray;
-      if (point.z() > band) {
-        ++part->count->before;
-      } else if (point.z() < -band) {
-        ++part->count->behind;
-      } else {
-        ++part->count->in_plane;
-        part->points->push_back(point);
-      }
+      const std::optional<std::size_t> part = partAt(hit.x(), hit.y(), front);
+      if (part) use(*part, Eigen::Vector3d(eye + depth * ray));
     }
+}
+
+/// True if the point is in the plane.
+bool count(const Eigen::Vector3d& point, double band, CellCount* cells) {
+  const bool before = point.z() > band, behind = point.z() < -band;
+  ++(before ? cells->before : behind ? cells->behind : cells->in_plane);
+  return !before && !behind;
+}
+
+}  // namespace
+
+FrontInView look(const DepthView& view, const Rectangle& front, double band) {
+  FrontInView result;
+  forEachPoint(view, front, 1, [&](std::size_t part, const Eigen::Vector3d& point) {
+    const bool inside = part == kInside;
+    if (count(point, band, inside ? &result.inside : &result.beside[part]))
+      (inside ? result.front : result.around[part]).push_back(point);
+  });
   return result;
+}
+
+std::array<CellCount, 4> lookBeside(const DepthView& view, const Rectangle& front, double band, int step) {
+  std::array<CellCount, 4> beside;
+  forEachPoint(view, front, step, [&](std::size_t part, const Eigen::Vector3d& point) {
+    if (part != kInside) count(point, band, &beside[part]);
+  });
+  return beside;
 }
 
 bool goesOn(const CellCount& beside) { return beside.seen() >= kLeastCells && 2 * beside.in_plane > beside.seen(); }

@@ -24,8 +24,11 @@ struct FrontInView {
   std::array<std::vector<Eigen::Vector3d>, 4> around;  ///< the same, beside each edge
 };
 
-/// `band` [m]: points so far from the front's plane still are in it. `step`: every so many-th row and column is looked at.
-FrontInView look(const DepthView& view, const Rectangle& front, double band, int step = 1);
+/// `band` [m]: points so far from the front's plane still are in it.
+FrontInView look(const DepthView& view, const Rectangle& front, double band);
+
+/// FrontInView::beside alone, of every `step`-th row and column: what a search asks again and again.
+std::array<CellCount, 4> lookBeside(const DepthView& view, const Rectangle& front, double band, int step);
 
 /// Whether the front's plane goes on beyond an edge, as far as it was seen.
 bool goesOn(const CellCount& beside);

@@ -23,4 +23,9 @@ double asSent(double stamp) {
   return seconds + std::round((std::max(stamp, 0.0) - seconds) * kNanoseconds) * 1e-9;
 }
 
+bool isSameStamp(double a, double b) {
+  constexpr double kLost = 1e-6;  // [s] that a double of today's seconds may lose: 2e-7
+  return std::abs(a - b) <= kLost;
+}
+
 }  // namespace cabinet_articulation::core

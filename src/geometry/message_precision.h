@@ -19,4 +19,7 @@ Eigen::Matrix3d toRotation(const Eigen::Quaterniond& q);
 Eigen::Isometry3d asSent(const Eigen::Isometry3d& pose);
 double asSent(double stamp);
 
+/// Whether two times [s] are of one frame, whatever they lost on the way.
+bool isSameStamp(double a, double b);
+
 }  // namespace cabinet_articulation::core

@@ -14,6 +14,7 @@
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 #include "cabinet_articulation/joints/prediction.h"
+#include "geometry/turn_between.h"
 #include "joints/front_merge.h"
 
 namespace cabinet_articulation::core {
@@ -56,7 +57,7 @@ std::optional<Closed> towardsPlaneOf(const Closed& other, const LearnedModel& mo
   const Eigen::Vector3d axis = model.axis.normalized(), n = other.normal();
   if (modelEntry(model.type).turns) {
     const Eigen::Vector3d from = model.origin.linear().col(2);
-    const double q = std::atan2(axis.dot(from.cross(n)), from.dot(n) - axis.dot(from) * axis.dot(n));
+    const double q = turnAbout(axis, from, n);
     const double beyond = std::max(model.q_min - q, q - model.q_max);
     if (!(beyond > 0 && beyond < beyondSeen(model))) return std::nullopt;
     return Closed(model, q);

@@ -30,8 +30,8 @@ class JointKinds {
 
   /// What is to be expected of a track: `learned` is what its own poses say. It stays as it is where a new kind is more probable
   /// than each known one. Else the answer has the path that is most probable for that kind, and the types' new probabilities;
-  /// its covariance and errors are still those of its own poses. A front that may as well rest is taken to move if its poses and
-  /// a kind agree so well that they outweigh `rest_odds`, and leave no doubt of the type.
+  /// its covariance and errors are still those of its own poses. A front that may as well rest is taken to move on two
+  /// conditions. Its agreement with a kind outweighs `rest_odds`, and leaves no doubt of the type.
   LearnedModel predict(const LearnedModel& learned, const Track& track, const ArticulationConfig& config) const;
 
  private:

@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation {
 namespace {
-
-constexpr double kSameStamp = 1e-6;  ///< [s] what a stamp may lose on its way through the core
 
 geometry_msgs::TransformStamped transform(const Eigen::Isometry3d& T_parent_child, const std_msgs::Header& header,
                                           const std::string& parent, const std::string& child) {
@@ -54,7 +53,7 @@ sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& model
   sensor_msgs::JointState state;
   state.header = header;
   for (const core::LearnedModel& model : models) {
-    if (isJoint(model) && std::abs(model.stamp - header.stamp.toSec()) <= kSameStamp) addState(model, &state);
+    if (isJoint(model) && core::isSameStamp(model.stamp, header.stamp.toSec())) addState(model, &state);
   }
   return state;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cabinet_articulation/joints/joint.h"
+#include "ros/image_color.h"
 #include "ros/joints.h"
 #include "ros/model_drawing.h"
 #include "ros/overlay_labels.h"
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double kNear = 0.1;  ///< [m] lines are cut off here
 constexpr int kShift = 4;      ///< sub-pixel bits of OpenCV's drawing
-
-cv::Scalar scalar(const Color& color, double brightness = 1) {
-  return {255 * brightness * color[2], 255 * brightness * color[1], 255 * brightness * color[0]};
-}
 
 class Canvas {
  public:
@@ -58,15 +55,15 @@ class Canvas {
 };
 
 void drawRange(const core::LearnedModel& model, Canvas* canvas) {
-  for (const core::Rectangle& front : sweepOf(model)) canvas->outline(front, scalar(colorOf(model), 0.5), 1);
+  for (const core::Rectangle& front : sweepOf(model)) canvas->outline(front, imageColor(colorOf(model), 0.5), 1);
 }
 
 /// The axis, and the way of the front's centre from q = 0 to now.
 void drawMotion(const core::LearnedModel& model, Canvas* canvas) {
   const auto axis = axisOf(model);
-  canvas->line(axis.first, axis.second, scalar(kAxisColor), 2);
+  canvas->line(axis.first, axis.second, imageColor(kAxisColor), 2);
   const std::vector<Eigen::Vector3d> way = wayOf(model, 0, model.q);
-  for (size_t i = 1; i < way.size(); ++i) canvas->line(way[i - 1], way[i], scalar(kWayColor), 2);
+  for (size_t i = 1; i < way.size(); ++i) canvas->line(way[i - 1], way[i], imageColor(kWayColor), 2);
 }
 
 }  // namespace
@@ -74,13 +71,13 @@ void drawMotion(const core::LearnedModel& model, Canvas* canvas) {
 void drawOverlay(const core::StereoCamera& camera, const std::vector<core::DetectedRectangle>& rectangles,
                  const std::vector<core::LearnedModel>& models, cv::Mat3b* image) {
   Canvas canvas(camera, image);
-  for (const core::DetectedRectangle& detected : rectangles) canvas.outline(detected.rectangle, scalar(kRectangleColor), 1);
+  for (const core::DetectedRectangle& detected : rectangles) canvas.outline(detected.rectangle, imageColor(kRectangleColor), 1);
   for (const core::LearnedModel& model : models)
     if (isJoint(model)) drawRange(model, &canvas);
   std::vector<OverlayLabel> labels;
   for (const core::LearnedModel& model : models) {
     const core::Rectangle front = frontAt(model, model.q);
-    canvas.outline(front, scalar(colorOf(model)), isJoint(model) ? 2 : 1);
+    canvas.outline(front, imageColor(colorOf(model)), isJoint(model) ? 2 : 1);
     if (isJoint(model)) drawMotion(model, &canvas);
     const std::string label = isJoint(model) ? labelOf(model) : shortLabelOf(model);
     const std::optional<cv::Point> at = canvas.place(front.center());

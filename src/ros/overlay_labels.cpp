@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cabinet_articulation/joints/joint.h"
+#include "ros/image_color.h"
 #include "ros/label_layout.h"
 
 namespace cabinet_articulation {
@@ -18,8 +19,6 @@ constexpr int kText = 10;      ///< [px] height of a line's letters
 constexpr int kBar = 4;        ///< [px] height of a gauge
 constexpr double kDark = 0.8;  ///< opacity of a box
 const cv::Scalar kInk = cv::Scalar::all(255), kPaper = cv::Scalar::all(20), kEmptyBar = cv::Scalar::all(90);
-
-cv::Scalar scalar(const Color& color) { return {255.0 * color[2], 255.0 * color[1], 255.0 * color[0]}; }
 
 int widthOf(const std::string& line) { return cv::getTextSize(line, cv::FONT_HERSHEY_SIMPLEX, kFontScale, 1, nullptr).width; }
 
@@ -48,14 +47,14 @@ void drawBar(const cv::Rect& bar, double share, const cv::Scalar& color, cv::Mat
 void drawBox(const OverlayLabel& label, const std::vector<std::string>& lines, const cv::Rect& box, cv::Mat3b* image) {
   cv::Mat3b inside = (*image)(box);
   cv::addWeighted(inside, 1 - kDark, cv::Mat3b(box.size(), cv::Vec3b(20, 20, 20)), kDark, 0, inside);
-  cv::rectangle(*image, cv::Rect(box.x, box.y, kStrip, box.height), scalar(label.color), cv::FILLED);
+  cv::rectangle(*image, cv::Rect(box.x, box.y, kStrip, box.height), imageColor(label.color), cv::FILLED);
   const int left = box.x + kStrip + kPadding;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const int top = box.y + static_cast<int>(i) * heightOf(label) + kPadding;
     cv::putText(*image, lines[i], {left, top + kText}, cv::FONT_HERSHEY_SIMPLEX, kFontScale, kInk, 1, cv::LINE_AA);
     if (!label.gauge) continue;
     const cv::Rect bar(left, top + kText + kPadding + 1, box.br().x - kPadding - left, kBar);
-    drawBar(bar, i == 0 ? label.gauge->probability : label.gauge->opening, scalar(label.color), image);
+    drawBar(bar, i == 0 ? label.gauge->probability : label.gauge->opening, imageColor(label.color), image);
   }
 }
 
@@ -63,7 +62,7 @@ void drawLeader(const OverlayLabel& label, const cv::Rect& box, cv::Mat3b* image
   if (box.contains(label.at)) return;
   const cv::Point nearest(std::clamp(label.at.x, box.x, box.br().x - 1), std::clamp(label.at.y, box.y, box.br().y - 1));
   cv::line(*image, label.at, nearest, kPaper, 3, cv::LINE_AA);
-  cv::line(*image, label.at, nearest, scalar(label.color), 1, cv::LINE_AA);
+  cv::line(*image, label.at, nearest, imageColor(label.color), 1, cv::LINE_AA);
 }
 
 }  // namespace

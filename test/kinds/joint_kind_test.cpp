@@ -52,8 +52,8 @@ TEST(JointShape, OfTheMeanIsInTheMiddle) {
   EXPECT_LT(difference(mean, doorShape(std::sqrt(0.3 * 0.48), {0, 0, 0.2})).norm(), 1e-9);
 }
 
-/// The chain rule: the density of two shapes is that of the first, which is 1 for a mean that may be anywhere, times that of the
-/// second if the first is known.
+/// The chain rule: the density of two shapes is that of the first, times that of the second if the first is known. The first is
+/// 1, for its mean may be anywhere.
 TEST(JointKind, EvidenceOfTwoIsTheDensityOfTheSecond) {
   const KindsConfig config;
   for (const auto& [first, second] : {std::pair(doorShape(0.4), doorShape(0.42, {0.05, -0.1, 0.02})),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/cross_matrix.h"
+#include "geometry/turn_between.h"
 
 namespace cabinet_articulation::core {
 
@@ -52,7 +53,7 @@ Eigen::Isometry3d RotationalModel::predictLearned(const LearnedModel& model, dou
 
 double RotationalModel::configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front) {
   const Eigen::Vector3d from = model.origin.translation() - model.axis_point, to = front.translation() - model.axis_point;
-  const double by_place = std::atan2(model.axis.dot(from.cross(to)), from.dot(to) - model.axis.dot(from) * model.axis.dot(to));
+  const double by_place = turnAbout(model.axis, from, to);
   const Eigen::Quaterniond turned(front.linear() * model.origin.linear().transpose());
   const double by_turn = 2 * std::atan2(turned.vec().dot(model.axis), turned.w());
   // A front close to its axis hardly changes its place, but turns all the same.

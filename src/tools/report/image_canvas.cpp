@@ -5,14 +5,14 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "ros/image_color.h"
+
 namespace cabinet_articulation {
 namespace {
 
 constexpr int kShift = 4;  ///< sub-pixel bits of OpenCV's drawing
 constexpr double kFontScale = 0.42;
 constexpr double kDash = 5, kGap = 4;
-
-cv::Scalar scalar(const Color& color) { return {255.0 * color[2], 255.0 * color[1], 255.0 * color[0]}; }
 
 cv::Point subPixels(const Eigen::Vector2d& p) { return {cvRound(p.x() * (1 << kShift)), cvRound(p.y() * (1 << kShift))}; }
 
@@ -21,7 +21,7 @@ cv::Point subPixels(const Eigen::Vector2d& p) { return {cvRound(p.x() * (1 << kS
 void ImageCanvas::line(const std::vector<Eigen::Vector2d>& points, const Stroke& stroke) {
   const int width = std::max(1, cvRound(stroke.width));
   const auto draw = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    cv::line(image_, subPixels(a), subPixels(b), scalar(stroke.color), width, cv::LINE_AA, kShift);
+    cv::line(image_, subPixels(a), subPixels(b), imageColor(stroke.color), width, cv::LINE_AA, kShift);
   };
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Eigen::Vector2d way = points[i] - points[i - 1];
@@ -38,11 +38,11 @@ void ImageCanvas::line(const std::vector<Eigen::Vector2d>& points, const Stroke&
 void ImageCanvas::fill(const Box& box, const Color& color) {
   const cv::Point from(cvRound(box.left), cvRound(box.top)), to(cvRound(box.right()), cvRound(box.bottom()));
   const cv::Rect inside = cv::Rect(from, to) & cv::Rect(0, 0, image_.cols, image_.rows);
-  image_(inside).setTo(scalar(color));
+  image_(inside).setTo(imageColor(color));
 }
 
 void ImageCanvas::dot(const Eigen::Vector2d& center, double radius, const Color& color) {
-  cv::circle(image_, subPixels(center), cvRound(radius * (1 << kShift)), scalar(color), cv::FILLED, cv::LINE_AA, kShift);
+  cv::circle(image_, subPixels(center), cvRound(radius * (1 << kShift)), imageColor(color), cv::FILLED, cv::LINE_AA, kShift);
 }
 
 void ImageCanvas::text(const Eigen::Vector2d& at, const std::string& words, Anchor anchor, bool bold) {

@@ -6,11 +6,11 @@
 #include <set>
 
 #include "cabinet_articulation/joints/joint.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation {
 namespace {
 
-constexpr double kSameStamp = 1e-6;     ///< [s] what a stamp may lose on its way through the core
 constexpr std::size_t kMostGaps = 256;  ///< of one front (ours)
 constexpr std::size_t kMostMoved = 64;  ///< fronts of one page, that somebody may want to read (ours)
 
@@ -23,7 +23,7 @@ void addGap(const Range& gap, std::vector<Range>* gaps) {
 
 /// The observation that this frame brought, if any.
 const core::TrackedObservation* newestOf(const core::Track& track, double stamp) {
-  if (track.observations.empty() || std::abs(track.observations.back().stamp - stamp) > kSameStamp) return nullptr;
+  if (track.observations.empty() || !core::isSameStamp(track.observations.back().stamp, stamp)) return nullptr;
   return &track.observations.back();
 }
 
