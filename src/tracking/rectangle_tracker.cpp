@@ -7,11 +7,10 @@
 #include <numeric>
 #include <tuple>
 
-#include "tracking/continuation.h"
+#include "tracking/abandoned_tracks.h"
 #include "tracking/ended_tracks.h"
-#include "tracking/history.h"
-#include "tracking/placement.h"
 #include "tracking/same_front.h"
+#include "tracking/track_growth.h"
 #include "tracking/track_memory.h"
 
 namespace cabinet_articulation::core {
@@ -20,8 +19,6 @@ namespace {
 constexpr double kProposedSigma = 0.03;      ///< [m] of a size good enough to be searched for: seen in two or three frames
 constexpr int kJudgedFrames = 8;             ///< a presence over fewer frames says little
 constexpr int kEstablished = 20;             ///< frames; what was seen that often is no flicker
-constexpr int kLongestFlicker = 3;           ///< frames; a longer absence is one absence, not so many misses
-constexpr double kResizeStep = 0.002;        ///< [m] smaller changes of the size are not worth placing the history anew
 constexpr double kRotationTolerance = 1e-3;  ///< entries of R R^T - I of a pose that is meant to be a rotation
 
 bool isUsable(const DetectedRectangle& detection) {
@@ -32,28 +29,13 @@ bool isUsable(const DetectedRectangle& detection) {
          (R * R.transpose()).isIdentity(kRotationTolerance) && R.determinant() > 0;
 }
 
-/// All observations with the track's new size, from the newest back: the size was known worst at the beginning. The newest
-/// continues from `reference`.
-void placeAnew(Track& track, const KnownSize& size, const KnownPlace& reference, const TrackingConfig& config) {
-  KnownPlace later = reference;
-  for (auto observation = track.observations.rbegin(); observation != track.observations.rend(); ++observation) {
-    DetectedRectangle detection;
-    detection.rectangle = observation->measured;
-    detection.covariance = observation->measured_covariance;
-    detection.edge_support = observation->edge_support;
-    const DetectedRectangle placed = placeOnObservedEdges(detection, size, &later, config);
-    observation->rectangle = placed.rectangle;
-    observation->covariance = placed.covariance;
-    later = {placed.rectangle, placed.covariance.topLeftCorner<3, 3>()};
-  }
-}
-
 }  // namespace
 
 RectangleTracker::RectangleTracker(const TrackingConfig& config)
     : config_(config),
       live_(std::make_unique<RememberedTracks>()),
       ended_(std::make_unique<EndedTracks>(config)),
+      abandoned_(std::make_unique<AbandonedTracks>(config)),
       last_stamp_(-std::numeric_limits<double>::infinity()) {
   checkConfig(config);
 }
@@ -65,6 +47,7 @@ const std::vector<Track>& RectangleTracker::tracks() const { return live_->track
 void RectangleTracker::reset() {
   live_->clear();
   ended_->clear();
+  abandoned_->clear();
   last_stamp_ = -std::numeric_limits<double>::infinity();
 }
 
@@ -84,13 +67,15 @@ std::vector<Track> RectangleTracker::knownTracks() const {
 }
 
 bool RectangleTracker::forget(std::uint32_t id) {
-  const bool was_live = live_->erase(id);
-  return ended_->forget(id) || was_live;
+  const bool was_live = live_->erase(id), had_ended = ended_->forget(id);
+  return abandoned_->forget(id) || had_ended || was_live;
 }
 
 void RectangleTracker::useIdsFrom(std::uint32_t id) { next_id_ = std::max(next_id_, id); }
 
-bool RectangleTracker::isKnown(std::uint32_t id) const { return live_->contains(id) || ended_->contains(id); }
+bool RectangleTracker::isKnown(std::uint32_t id) const {
+  return live_->contains(id) || ended_->contains(id) || abandoned_->contains(id);
+}
 
 std::uint32_t RectangleTracker::takeId() {
   while (next_id_ == 0 || isKnown(next_id_)) ++next_id_;
@@ -110,7 +95,7 @@ const std::vector<Track>& RectangleTracker::process(double stamp, const std::vec
     if (track_of[i] < 0)
       unclaimed.push_back(usable[i]);
     else
-      append(stamp, usable[i], live_->tracks[track_of[i]], live_->memories[track_of[i]]);
+      append(stamp, usable[i], config_, &live_->tracks[track_of[i]], &live_->memories[track_of[i]]);
   }
   if (reordered) live_->sort();
   takeBack(stamp, &unclaimed);
@@ -153,33 +138,10 @@ void RectangleTracker::endTracks(double stamp) {
       live.insert(std::move(track), std::move(memory));
     else if (confirmed && !flickers(memory))
       ended_->keep(std::move(track), std::move(memory));
+    else
+      abandoned_->add(track);
   }
   *live_ = std::move(live);
-}
-
-void RectangleTracker::append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const {
-  const Continuation found = *findContinuation(track, memory, rectangle, stamp, config_);
-  const DetectedRectangle& measured = found.measured;
-  memory.frames += std::min(memory.unseen, kLongestFlicker);
-  memory.unseen = 0;
-  memory.last_seen = stamp;
-  ++memory.seen;
-  track.hollow = track.hollow || rectangle.hollow;
-  memory.size.add(measured);
-  const KnownSize& known = memory.size.known();
-  const bool resized = (known.value - Eigen::Vector2d(track.width, track.height)).cwiseAbs().maxCoeff() > kResizeStep ||
-                       (known.sigma.array() < memory.placed_sigma.array() / 2).any();
-  if (resized) {
-    track.width = known.value.x();
-    track.height = known.value.y();
-    memory.placed_sigma = known.sigma;
-  }
-  const DetectedRectangle placed = placeOnObservedEdges(measured, known, &found.reference, config_);
-  track.observations.push_back(
-      {stamp, placed.rectangle, placed.covariance, measured.edge_support, measured.rectangle, measured.covariance});
-  if (resized) placeAnew(track, known, found.reference, config_);
-  if (resized) ++track.revision;
-  thinOut(track.observations, config_.max_observations);
 }
 
 bool RectangleTracker::isSeenAlready(double stamp, const Rectangle& rectangle) const {
@@ -216,13 +178,24 @@ void RectangleTracker::takeBack(double stamp, std::vector<DetectedRectangle>* un
   for (size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) {
       auto& [track, memory] = *taken[i];
-      append(stamp, (*unclaimed)[i], track, memory);
+      append(stamp, (*unclaimed)[i], config_, &track, &memory);
       live_->insert(std::move(track), std::move(memory));
     } else {
       unknown.push_back((*unclaimed)[i]);
     }
   }
   *unclaimed = std::move(unknown);
+}
+
+void RectangleTracker::abandonOvertaken(const Rectangle& rectangle) {
+  for (size_t i = live_->tracks.size(); i-- > 0;) {
+    const Track& track = live_->tracks[i];
+    const TrackMemory& memory = live_->memories[i];
+    if (isConfirmed(track, config_) || memory.unseen <= memory.seen) continue;
+    if (!areInOnePlace(track.observations.back().rectangle, rectangle, config_)) continue;
+    abandoned_->add(track);
+    live_->erase(track.id);
+  }
 }
 
 void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> unclaimed) {
@@ -236,15 +209,12 @@ void RectangleTracker::startTracks(double stamp, std::vector<DetectedRectangle> 
     if (std::any_of(live_->tracks.begin(), live_->tracks.end(),
                     [&](const Track& track) { return isPartOf(track, detection.rectangle, stamp, config_); }))
       continue;
-    Track track;
-    track.id = takeId();
-    track.width = detection.rectangle.width;
-    track.height = detection.rectangle.height;
-    track.hollow = detection.hollow;
-    track.observations.push_back(
-        {stamp, detection.rectangle, detection.covariance, detection.edge_support, detection.rectangle, detection.covariance});
-    TrackMemory memory{FrontSize(config_)};
-    memory.size.add(detection);
+    abandonOvertaken(detection.rectangle);
+    const std::optional<AbandonedTracks::Entry> before = abandoned_->take(detection.rectangle);
+    Track track = startOfTrack(stamp, detection);
+    track.id = before ? before->id : takeId();
+    track.revision = before ? before->revision + 1 : 0;
+    TrackMemory memory = memoryOf(track, config_);
     memory.last_seen = stamp;
     live_->insert(std::move(track), std::move(memory));
   }

@@ -1,17 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/same_front.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cabinet_articulation/tracking/expected_fronts.h"
 #include "tracking/track_memory.h"
 
 namespace cabinet_articulation::core {
+namespace {
+
+/// [m2]
+double sharedArea(const Rectangle& a, const Rectangle& b) {
+  const double overlap = intersectionOverUnion(a, b);
+  return overlap / (1 + overlap) * (a.width * a.height + b.width * b.height);
+}
+
+bool areInOnePlane(const Rectangle& a, const Rectangle& b, double distance, double cosine) {
+  return std::abs(a.normal().dot(b.normal())) > cosine && std::abs(a.plane().distance(b.center())) < distance;
+}
+
+}  // namespace
 
 bool isDuplicate(const Rectangle& a, const Rectangle& b) {
   constexpr double kOverlap = 0.3, kDistance = 0.02, kCosine = 0.995;  // -, m, 6 degrees
-  return std::abs(a.normal().dot(b.normal())) > kCosine && std::abs(a.plane().distance(b.center())) < kDistance &&
-         intersectionOverUnion(a, b) > kOverlap;
+  return areInOnePlane(a, b, kDistance, kCosine) && intersectionOverUnion(a, b) > kOverlap;
+}
+
+bool areInOnePlace(const Rectangle& a, const Rectangle& b, const TrackingConfig& config) {
+  return areInOnePlane(a, b, config.position_tolerance, std::cos(config.angle_tolerance)) &&
+         2 * sharedArea(a, b) > std::min(a.width * a.height, b.width * b.height);
 }
 
 bool isPartOf(const Track& track, const Rectangle& part, double stamp, const TrackingConfig& config) {
@@ -21,10 +39,7 @@ bool isPartOf(const Track& track, const Rectangle& part, double stamp, const Tra
   if (!isConfirmed(track, config) || stamp - newest.stamp > kRecent || way.norm() < kMoved) return false;
   const Rectangle front =
       newest.stamp == stamp ? newest.rectangle : newestMotion(track.observations).at(stamp, config.prediction_horizon);
-  if (std::abs(front.normal().dot(part.normal())) < kCosine || std::abs(front.plane().distance(part.center())) > kDistance)
-    return false;
-  const double area = part.width * part.height, overlap = intersectionOverUnion(front, part);
-  return overlap / (1 + overlap) * (front.width * front.height + area) > kInside * area;
+  return areInOnePlane(front, part, kDistance, kCosine) && sharedArea(front, part) > kInside * part.width * part.height;
 }
 
 }  // namespace cabinet_articulation::core

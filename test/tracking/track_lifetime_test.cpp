@@ -60,10 +60,43 @@ TEST(TrackLifetime, WhatFlickersEnds) {
     for (const Track& track : tracker.tracks())
       EXPECT_TRUE(track.id == 1 || track.width * track.height > 0.05 || track.observations.size() <= 6) << i;
   }
-  EXPECT_GT(newest, 4u) << "the flickering piece got several short tracks, the one seen in two frames of three only one";
+  EXPECT_EQ(newest, 3u) << "the piece's short tracks have one id";
   EXPECT_EQ(std::count_if(tracker.tracks().begin(), tracker.tracks().end(),
                           [](const Track& track) { return track.observations.size() == 60; }),
             1);
+}
+
+TEST(TrackLifetime, ClutterHasOneIdAPlace) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(34);
+  const auto idOf = [&](double stamp, const Rectangle& rectangle) {
+    tracker.process(stamp, {detect(rectangle)});
+    return tracker.tracks().back().id;
+  };
+  const std::uint32_t piece = idOf(1, closedFront(0, 0.3, 0.4));
+  EXPECT_EQ(idOf(3, closedFront(0.05, 0.3, 0.2)), piece) << "of another size, after the track ended";
+  EXPECT_EQ(tracker.tracks().back().observations.size(), 1u) << "a new track";
+  EXPECT_GT(tracker.tracks().back().revision, 0u) << "which nobody takes for the old one";
+  EXPECT_NE(idOf(5, closedFront(0.35, 0.3, 0.4)), piece) << "beside it";
+  EXPECT_NE(idOf(7, pulled(closedFront(0.05, 0.3, 0.2), 0.2)), piece) << "before it";
+  ASSERT_TRUE(tracker.forget(piece));
+  EXPECT_NE(idOf(9, closedFront(0.05, 0.3, 0.2)), piece) << "forgotten";
+}
+
+TEST(TrackLifetime, AnotherSizeInThePlaceOfAMissedGlimpseHasItsId) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(35);
+  const Rectangle front = closedFront(0, 0.3, 0.4), part = closedFront(0.05, 0.2, 0.2);
+  tracker.process(1 * kFrame, {detect(part)});
+  tracker.process(2 * kFrame, {detect(front)});
+  EXPECT_EQ(tracker.tracks().size(), 2u) << "the first one was missed once only";
+  tracker.process(3 * kFrame, {detect(front)});
+  tracker.process(4 * kFrame, {detect(front)});
+  tracker.process(5 * kFrame, {detect(closedFront(0.02, 0.25, 0.25))});
+  ASSERT_EQ(tracker.tracks().size(), 2u);
+  EXPECT_EQ(tracker.tracks().front().id, 1u);
+  EXPECT_EQ(tracker.tracks().front().observations.back().stamp, 5 * kFrame) << "of the id's new track";
+  EXPECT_EQ(tracker.tracks().back().observations.size(), 3u) << "what is confirmed goes on";
 }
 
 TEST(TrackLifetime, AFrontThatIsMissedNowAndThenKeepsItsId) {

@@ -10,6 +10,7 @@
 
 namespace cabinet_articulation::core {
 
+class AbandonedTracks;
 class EndedTracks;
 struct RememberedTracks;
 struct TrackMemory;
@@ -20,9 +21,9 @@ struct TrackMemory;
 /// continues the track. Size and place come from observed edges only. A front that disappears (closed fronts are
 /// coplanar with their neighbours and cannot be seen) keeps its track for `timeout`, and gets it back where it was last
 /// seen, where a pull or a swing can have brought it meanwhile, or anywhere along the track's history. After the timeout
-/// the track ends, but the front gets its id and history back if it returns in one of these ways (EndedTracks). Memory
-/// and time a frame are bounded, however long it runs. The first rectangle of a track tells its outer side: the normal
-/// points to the camera.
+/// the track ends, but the front gets its id and history back if it returns in one of these ways (EndedTracks). Clutter that
+/// is seen now and then has one id a place (AbandonedTracks). Memory and time a frame are bounded, however long it runs. The
+/// first rectangle of a track tells its outer side: the normal points to the camera.
 class RectangleTracker {
  public:
   /// Throws ConfigError.
@@ -66,17 +67,19 @@ class RectangleTracker {
   std::uint32_t takeId();
   bool flickers(const TrackMemory& memory) const;
   void endTracks(double stamp);
-  void append(double stamp, const DetectedRectangle& rectangle, Track& track, TrackMemory& memory) const;
   bool isSeenAlready(double stamp, const Rectangle& rectangle) const;
   /// Tracks that are not confirmed yet give way to known fronts whose first glimpse was too bad to be recognised. True if
   /// any did; the order of the tracks is lost then.
   bool takeBackYoung(double stamp, const std::vector<DetectedRectangle>& rectangles, const std::vector<int>& track_of);
   void takeBack(double stamp, std::vector<DetectedRectangle>* unclaimed);
+  /// Tracks in the place of `rectangle` that are not confirmed, and were missed more often than seen, give way to it.
+  void abandonOvertaken(const Rectangle& rectangle);
   void startTracks(double stamp, std::vector<DetectedRectangle> unclaimed);
 
   TrackingConfig config_;
   std::unique_ptr<RememberedTracks> live_;
   std::unique_ptr<EndedTracks> ended_;
+  std::unique_ptr<AbandonedTracks> abandoned_;
   double last_stamp_;
   std::uint32_t next_id_ = 1;  ///< 0 is nobody; after the last one of 32 bits it begins anew with what is free
 };
