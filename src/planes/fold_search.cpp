@@ -15,7 +15,9 @@ constexpr int kImprovements = 8;
 constexpr double kLeastPart = 2500;       ///< [px] a smaller part has its plane from noise
 constexpr double kIndependent = 15 * 15;  ///< [px] a window of block matching, within which noise is one and the same
 constexpr double kSignificance = 100;     ///< gain in squares over their variance; chance gives 4, for four more unknowns
-constexpr double kStandsOut = 0.3;        ///< [px] calibrations bend planes by half of that
+/// [px] that planes stand apart at least: twice what calibrations of pairs bend them by, and more than the 0.75 px by which a
+/// PrimeSense camera bends a flat board (measured).
+constexpr double kStandsOut[] = {0.3, 0.8};
 
 constexpr int kSamplePixels = kStep * kCell * kStep * kCell;
 constexpr int kLeastSamples = static_cast<int>(kLeastPart) / kSamplePixels;
@@ -24,7 +26,7 @@ DisparityPlane sum(const DisparityPlane& p, const DisparityPlane& q) { return {p
 
 }  // namespace
 
-std::optional<Fold> FoldSearch::process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set) {
+std::optional<Fold> FoldSearch::process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, bool is_pair) {
   if (region.cells * kCell * kCell < 2 * kLeastPart) return std::nullopt;
   fillBlocks(cells, region, set);
   PlaneFit all;
@@ -35,7 +37,7 @@ std::optional<Fold> FoldSearch::process(const cv::Mat1f& cells, const GrownRegio
   std::optional<Halves> halves = improve(*start);
   const std::optional<Halves> swapped = improve(*solve(start->second, start->first));
   if (swapped && (!halves || swapped->squares < halves->squares)) halves = swapped;
-  if (!halves || !standsOut(halves->fold)) return std::nullopt;
+  if (!halves || !(apart(halves->fold) > kStandsOut[is_pair ? 0 : 1])) return std::nullopt;
   const double independent = all.count() * kSamplePixels / kIndependent;
   if (!((all.squares(*flat) - halves->squares) * independent > kSignificance * halves->squares)) return std::nullopt;
   Fold fold = halves->fold;
@@ -124,8 +126,8 @@ std::optional<FoldSearch::Halves> FoldSearch::solve(const PlaneFit& first, const
   return Halves{first, second, fold, first.squares(*first_plane) + second.squares(*second_plane)};
 }
 
-/// Whether the surfaces reach visibly away from each other on both sides of the line where they meet.
-bool FoldSearch::standsOut(const Fold& fold) const {
+/// [px] How far the surfaces reach away from each other, on that side of the line where they meet on which it is less.
+double FoldSearch::apart(const Fold& fold) const {
   double most = 0, least = 0;
   for (const int block : filled_) {
     const double ahead = fold.ahead(blocks_[block].meanU(), blocks_[block].meanV());
@@ -134,7 +136,7 @@ bool FoldSearch::standsOut(const Fold& fold) const {
     else if (isFirst(blocks_[block], fold))
       most = std::max(most, ahead);
   }
-  return std::min(most, -least) > kStandsOut;
+  return std::min(most, -least);
 }
 
 void FoldSearch::markFirst(const Fold& fold) {

@@ -24,8 +24,9 @@ struct Fold {
 class FoldSearch {
  public:
   /// The two planes that explain the region's cells best. Nothing unless they do so significantly better than one plane
-  /// does, and stand apart visibly on both sides of the line where they meet.
-  std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set);
+  /// does, and stand apart, on both sides of the line where they meet, by more than the calibration of a pair (`is_pair`) or
+  /// of a depth camera bends a plane.
+  std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, bool is_pair);
 
   /// Whether a cell is on the last fold's first surface, or so near to it that blocks do not tell.
   bool nearFirst(int row, int col) const { return near_first_[blockOf(row, col)] != 0; }
@@ -47,7 +48,7 @@ class FoldSearch {
   std::optional<Halves> improve(Halves halves);
   bool isFirst(const PlaneFit& block, const Fold& fold) const;
   static std::optional<Halves> solve(const PlaneFit& first, const PlaneFit& second);
-  bool standsOut(const Fold& fold) const;
+  double apart(const Fold& fold) const;
   void markFirst(const Fold& fold);
 
   cv::Size grid_;

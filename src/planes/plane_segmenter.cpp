@@ -129,7 +129,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   // Each fold appends runs or drops its region; without one, nothing could merge again.
   const auto size = [&set] { return std::make_pair(set.regions.size(), set.runs.size()); };
   const auto flat = size();
-  b.growing.unfold(frame.camera, &b.fold_search);
+  b.growing.unfold(frame, &b.fold_search);
   if (size() != flat) b.merger.process(disparity.size(), &set);
   b.growing.trim(b.competition.processCells(b.growing.cells(), set));
   b.merger.process(disparity.size(), &set);

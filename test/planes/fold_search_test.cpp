@@ -33,12 +33,12 @@ cv::Mat1f measure(const Surface& surface) {
   return cells;
 }
 
-std::optional<Fold> search(const Surface& surface, FoldSearch* search) {
+std::optional<Fold> search(const Surface& surface, FoldSearch* search, bool is_pair = true) {
   RegionSet set;
   for (int row = kArea.y / kCell; row < kArea.br().y / kCell; ++row)
     set.runs.push_back({row, kArea.x / kCell, kArea.br().x / kCell});
   set.regions.push_back({kFixed, 0, static_cast<int>(set.runs.size()), kArea.area() / kCell / kCell});
-  return search->process(measure(surface), set.regions[0], set);
+  return search->process(measure(surface), set.regions[0], set, is_pair);
 }
 
 std::optional<Fold> search(const Surface& surface) {
@@ -72,6 +72,15 @@ TEST(FoldSearch, WhatACalibrationBendsIsOne) {
   EXPECT_FALSE(search([](double u, double) { return 0.15 * std::pow((u - 250) / 150, 2); }));
 }
 
+TEST(FoldSearch, WhatADepthCameraBendsIsOne) {
+  // As the flat board before a PrimeSense camera: 4 degrees about its middle column, 0.75 px at the ends.
+  const auto bent = [](double slope) { return [slope](double u, double) { return slope * std::abs(u - kArea.x - 150); }; };
+  FoldSearch folds;
+  EXPECT_FALSE(search(bent(0.0025), &folds, false));
+  EXPECT_TRUE(search(bent(0.0025), &folds, true)) << "no pair that is calibrated does that";
+  EXPECT_TRUE(search(bent(0.004), &folds, false)) << "a door";
+}
+
 TEST(FoldSearch, AStepIsNoFold) {
   EXPECT_FALSE(search([](double u, double) { return u > 250 ? 0.5 : 0.0; }));
 }
@@ -81,7 +90,7 @@ TEST(FoldSearch, SmallRegionsAreNotLookedAt) {
   for (int row = 100; row < 120; ++row) set.runs.push_back({row, 100, 150});
   set.regions.push_back({kFixed, 0, 20, 1000});
   FoldSearch folds;
-  EXPECT_FALSE(folds.process(measure([](double u, double v) { return door(0.02, u, v); }), set.regions[0], set));
+  EXPECT_FALSE(folds.process(measure([](double u, double v) { return door(0.02, u, v); }), set.regions[0], set, true));
 }
 
 TEST(FoldSearch, NothingIsKeptFromTheLastRegion) {
