@@ -15,19 +15,19 @@ constexpr float kMinPixels = 6;                ///< of a strip
 constexpr float kNoiseVariance = 4;            ///< [grey levels^2] keeps noise in textureless strips from correlating
 constexpr int kReach = EdgeProfile::kOnPlane;  ///< [px] largest disparity offset
 
-struct Eight {
-  cv::v_float32x4 low, high;
-};
+constexpr int kPart = 256;  ///< [px] of a row of the right image that is widened at once
 
-Eight load(const std::uint8_t* pixels) {
-  std::uint64_t eight;
-  std::memcpy(&eight, pixels, sizeof(eight));
-  cv::v_uint32x4 low, high;
-  cv::v_expand(cv::v_expand_low(cv::v_reinterpret_as_u8(cv::v_uint64x2(eight, 0))), low, high);
-  return {cv::v_cvt_f32(cv::v_reinterpret_as_s32(low)), cv::v_cvt_f32(cv::v_reinterpret_as_s32(high))};
+/// A vector of the compiler, which splits it where registers are shorter.
+using Vector __attribute__((vector_size(8 * sizeof(float)))) = float;
+
+inline void load(const float* values, Vector* vector) { std::memcpy(vector, values, sizeof(*vector)); }
+
+inline void store(const Vector& vector, float* values) { std::memcpy(values, &vector, sizeof(vector)); }
+
+__attribute__((target_clones("avx2", "default"))) void widen(const std::uint8_t* __restrict pixels, int n,
+                                                             float* __restrict values) {
+  for (int i = 0; i < n; ++i) values[i] = pixels[i];
 }
-
-void accumulate(float* sum, const cv::v_float32x4& value) { cv::v_store(sum, cv::v_load(sum) + value); }
 
 }  // namespace
 
@@ -39,31 +39,95 @@ struct EdgeProfile::Row {
   float right_u, right_step;  ///< [px] column of the largest disparity tried in the right image
   float last_column;          ///< [px] of right_u
   int u_step;
+
+  float stripAt(int u) const { return strip + strip_step * static_cast<float>(u); }
+  float rightColumn(int u) const { return right_u + right_step * static_cast<float>(u); }
+  int half(int u) const { return along + along_step * static_cast<float>(u) < 0 ? 0 : 1; }
+  bool isInside(int u) const {
+    return stripAt(u) >= 0 && stripAt(u) < kStrips && rightColumn(u) >= 0 && rightColumn(u) < last_column;
+  }
 };
 
-void EdgeProfile::addRow(const Row& row, int u_begin, int u_end, Moments* halves[2]) {
+/// The moments of one strip, in registers while pixel after pixel falls into it.
+class EdgeProfile::OpenStrip {
+ public:
+  inline void open(Moments* strip) {
+    if (strip == strip_) return;
+    close();
+    strip_ = strip;
+    n_ = strip->n;
+    l_ = strip->l;
+    ll_ = strip->ll;
+    load(strip->r, &r_);
+    load(strip->rr, &rr_);
+    load(strip->lr, &lr_);
+  }
+
+  inline void close() {
+    if (!strip_) return;
+    strip_->n = n_;
+    strip_->l = l_;
+    strip_->ll = ll_;
+    store(r_, strip_->r);
+    store(rr_, strip_->rr);
+    store(lr_, strip_->lr);
+  }
+
+  inline void add(float l, const Vector& r) {
+    n_ += 1;
+    l_ += l;
+    ll_ += l * l;
+    r_ += r;
+    rr_ += r * r;
+    lr_ += l * r;
+  }
+
+ private:
+  static_assert(sizeof(Vector) == sizeof(Moments::r), "a lane for each disparity");
+  Moments* strip_ = nullptr;
+  float n_ = 0, l_ = 0, ll_ = 0;
+  Vector r_{}, rr_{}, lr_{};
+};
+
+/// Pixels of one half of the edge. `right`: the right image from `first_column` on. Every processor adds the same numbers in the
+/// same order.
+__attribute__((target_clones("avx2", "default"))) void EdgeProfile::addPixels(const Row& row, int u_begin, int u_end,
+                                                                              const float* right, int first_column,
+                                                                              Moments* strips) {
+  OpenStrip sums;
   for (int u = u_begin; u < u_end; u += row.u_step) {
-    const float strip = row.strip + row.strip_step * static_cast<float>(u);
-    const float right_u = row.right_u + row.right_step * static_cast<float>(u);
-    if (!(strip >= 0 && strip < kStrips && right_u >= 0 && right_u < row.last_column) || row.labels[u] == kOccluded) continue;
+    if (row.labels[u] == kOccluded) continue;
+    const float right_u = row.rightColumn(u);
     const int column = static_cast<int>(right_u);
     const float fraction = right_u - static_cast<float>(column);
-    const std::uint8_t* right = row.right + column;
-    const float l = row.left[u];
-    Moments& m = halves[row.along + row.along_step * static_cast<float>(u) < 0 ? 0 : 1][static_cast<int>(strip)];
-    m.n += 1;
-    m.l += l;
-    m.ll += l * l;
-    const Eight here = load(right), next = load(right + 1);
-    const cv::v_float32x4 f = cv::v_setall_f32(fraction), left = cv::v_setall_f32(l);
-    int lane = 0;
-    for (const cv::v_float32x4& r :
-         {cv::v_muladd(f, next.low - here.low, here.low), cv::v_muladd(f, next.high - here.high, here.high)}) {
-      accumulate(m.r + lane, r);
-      accumulate(m.rr + lane, r * r);
-      accumulate(m.lr + lane, left * r);
-      lane += Moments::kLanes / 2;
-    }
+    Vector here, next;
+    load(right + (column - first_column), &here);
+    load(right + (column - first_column) + 1, &next);
+    sums.open(strips + static_cast<int>(row.stripAt(u)));
+    sums.add(row.left[u], fraction * (next - here) + here);
+  }
+  sums.close();
+}
+
+/// What is linear in u is within its limits from one place to another one, and changes its sign once.
+void EdgeProfile::addRow(const Row& row, int u_begin, int u_end, Moments* halves[2]) {
+  int begin = u_begin, last = u_begin + (u_end - 1 - u_begin) / row.u_step * row.u_step;
+  while (begin <= last && !row.isInside(begin)) begin += row.u_step;
+  while (begin <= last && !row.isInside(last)) last -= row.u_step;
+  const float columns_per_step = std::max(std::abs(row.right_step) * static_cast<float>(row.u_step), 1.F);
+  const int part = row.u_step * std::max(static_cast<int>(kPart / columns_per_step), 1);
+  float right[kPart + Moments::kLanes + 2];
+  while (begin <= last) {
+    const int half = row.half(begin);
+    int end = std::min(begin + part, last + 1);
+    const int last_of_part = begin + (end - 1 - begin) / row.u_step * row.u_step;
+    if (row.half(last_of_part) != half)
+      for (end = begin; row.half(end) == half;) end += row.u_step;
+    const auto [least, most] = std::minmax({row.rightColumn(begin), row.rightColumn(last_of_part)});
+    const int column = static_cast<int>(least);
+    widen(row.right + column, static_cast<int>(most) - column + Moments::kLanes + 1, right);
+    addPixels(row, begin, end, right, column, halves[half]);
+    begin += (end - 1 - begin) / row.u_step * row.u_step + row.u_step;
   }
 }
 

@@ -51,6 +51,8 @@ class EdgeProfile {
     void correlate(float* covariance, float* correlation) const;
   };
   struct Row;
+  class OpenStrip;
+  static void addPixels(const Row& row, int u_begin, int u_end, const float* right, int first_column, Moments* strips);
   static void addRow(const Row& row, int u_begin, int u_end, Moments* halves[2]);
   static Residuals residuals(const std::array<Moments, kStrips>& strips);
 

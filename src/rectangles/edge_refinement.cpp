@@ -39,8 +39,18 @@ struct EdgeShift {
   double turn_weight = 0;
 };
 
-/// What the whole of an edge and its halves say.
+/// What the whole of an edge and its halves say. Nobody asks the halves of an edge without a border, nor the second after the
+/// first has none.
 using Borders = std::array<std::optional<Border>, 3>;
+
+template <class Find, class FindInHalf>
+Borders bordersOf(const Find& find_in_whole, const FindInHalf& find_in_half) {
+  Borders borders;
+  borders[0] = find_in_whole();
+  if (borders[0]) borders[1] = find_in_half(0);
+  if (borders[1]) borders[2] = find_in_half(1);
+  return borders;
+}
 
 bool hasImages(const DepthFrame& frame) { return !frame.left.empty() && !frame.right.empty(); }
 
@@ -68,14 +78,14 @@ Borders findBorders(const EdgeProfile& profile, const SideFace& face, const Rect
     if (step.contrast <= config.edge_contrast || step.inside >= std::log(1 - config.edge_agreement)) return std::nullopt;
     return Border{step.offset, step.face};
   };
-  return {find(profile.whole()), find(profile.half(0)), find(profile.half(1))};
+  return bordersOf([&] { return find(profile.whole()); }, [&](int half) { return find(profile.half(half)); });
 }
 
 Borders findDepthBorders(const DepthEdge& edge) {
   const auto border = [](const std::optional<DepthEdge::Place>& place) {
     return place ? std::optional<Border>(Border{place->offset, place->face}) : std::nullopt;
   };
-  return {border(edge.whole()), border(edge.half(0)), border(edge.half(1))};
+  return bordersOf([&] { return border(edge.whole()); }, [&](int half) { return border(edge.half(half)); });
 }
 
 Borders findCreases(const EdgeProfile& on_plane, const EdgeProfile& on_neighbour, const Neighbour& neighbour) {
@@ -84,8 +94,8 @@ Borders findCreases(const EdgeProfile& on_plane, const EdgeProfile& on_neighbour
     if (!crease) return std::nullopt;
     return Border{crease->offset, false, crease->nearer};
   };
-  return {find(on_plane.whole(), on_neighbour.whole()), find(on_plane.half(0), on_neighbour.half(0)),
-          find(on_plane.half(1), on_neighbour.half(1))};
+  return bordersOf([&] { return find(on_plane.whole(), on_neighbour.whole()); },
+                   [&](int half) { return find(on_plane.half(half), on_neighbour.half(half)); });
 }
 
 /// [m] how far an edge may go on behind the neighbour at a crease.
