@@ -131,17 +131,25 @@ struct PhotometricRefinement::Step {
 PhotometricRefinement::PhotometricRefinement(const PlanesConfig& config) : config_(config) { checkConfig(config_); }
 
 void PhotometricRefinement::process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set) {
+  setImages(frame);
+  refine(frame, limit, set);
+}
+
+void PhotometricRefinement::setImages(const DepthFrame& frame) {
   // Smoothing correlates the noise of neighbours. Without it interpolated pixels are less noisy than others, which draws
   // the estimate towards half disparities.
   cv::GaussianBlur(frame.left, left_, {3, 3}, kBlur, kBlur, cv::BORDER_REPLICATE);
   cv::GaussianBlur(frame.right, right_, {3, 3}, kBlur, kBlur, cv::BORDER_REPLICATE);
   cx_difference_ = frame.camera.cx_difference;
-  for (GrownRegion& region : set->regions)
-    if (const auto refined = refine(frame, limit, region, *set)) region.plane = *refined;
 }
 
-std::optional<DisparityPlane> PhotometricRefinement::refine(const DepthFrame& frame, const cv::Mat1f& limit,
-                                                            const GrownRegion& region, const RegionSet& set) {
+void PhotometricRefinement::refine(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set) {
+  for (GrownRegion& region : set->regions)
+    if (const auto plane = refined(frame, limit, region, *set)) region.plane = *plane;
+}
+
+std::optional<DisparityPlane> PhotometricRefinement::refined(const DepthFrame& frame, const cv::Mat1f& limit,
+                                                             const GrownRegion& region, const RegionSet& set) {
   samples_.take(frame, limit, config_.refine_pixels, region, set);
   samples_.describe(left_);
   if (samples_.size() < kLeastPixels) return std::nullopt;

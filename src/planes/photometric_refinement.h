@@ -28,11 +28,15 @@ class PhotometricRefinement {
   /// `limit` [px, for each pixel] belong to another surface and are not used.
   void process(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set);
 
+  /// The same in two steps, for several sets of one frame.
+  void setImages(const DepthFrame& frame);
+  void refine(const DepthFrame& frame, const cv::Mat1f& limit, RegionSet* set);
+
  private:
   struct Step;
 
-  std::optional<DisparityPlane> refine(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region,
-                                       const RegionSet& set);
+  std::optional<DisparityPlane> refined(const DepthFrame& frame, const cv::Mat1f& limit, const GrownRegion& region,
+                                        const RegionSet& set);
   std::optional<Step> step(double gain, float sigma) const;
 
   PlanesConfig config_;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "planes/disparity_tolerance.h"
@@ -74,8 +75,11 @@ class PlaneConsensus::Model : public pcl::SampleConsensusModelPlane<Point> {
                                  Eigen::VectorXf& optimized) const override;
 
  private:
+  /// What rnd() of PCL gives, without its way through Boost's distribution: half of 32 bits.
+  int draw() { return static_cast<int>(random_() >> 1); }
   int neighbour(int pixel, int radius);
 
+  std::mt19937 random_;
   Pixels pixels_;
   cv::Mat1i grid_;  ///< index into `pixels_` of each strided pixel, or -1
   int stride_ = 1;
@@ -105,7 +109,7 @@ void PlaneConsensus::Model::setFrame(const DepthFrame& frame, const PlanesConfig
   }
   pixels_.resize(n);
   indices_->resize(n);
-  rng_alg_.seed(static_cast<unsigned>(config.seed));
+  random_.seed(static_cast<unsigned>(config.seed));
 }
 
 void PlaneConsensus::Model::remove(const std::vector<int>& inliers) {
@@ -129,8 +133,8 @@ int PlaneConsensus::Model::neighbour(int pixel, int radius) {
   const int reach = std::max(radius / stride_, 1);
   const int row = pixels_.cell[pixel] / grid_.cols, col = pixels_.cell[pixel] % grid_.cols;
   for (int trial = 0; trial < kNeighbourTrials; ++trial) {
-    const int r = row + rnd() % (2 * reach + 1) - reach;
-    const int c = col + rnd() % (2 * reach + 1) - reach;
+    const int r = row + draw() % (2 * reach + 1) - reach;
+    const int c = col + draw() % (2 * reach + 1) - reach;
     if (r < 0 || r >= grid_.rows || c < 0 || c >= grid_.cols) continue;
     const int found = grid_(r, c);
     if (found >= 0 && found != pixel) return found;
@@ -141,7 +145,7 @@ int PlaneConsensus::Model::neighbour(int pixel, int radius) {
 void PlaneConsensus::Model::getSamples(int& iterations, std::vector<int>& samples) {
   const int radius = kSampleRadii[iterations % kSampleRadii.size()];
   samples.resize(3);
-  samples[0] = rnd() % static_cast<int>(pixels_.size());
+  samples[0] = draw() % static_cast<int>(pixels_.size());
   samples[1] = neighbour(samples[0], radius);
   samples[2] = neighbour(samples[0], radius);
 }

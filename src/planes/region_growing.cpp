@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
+#include "planes/cell_erosion.h"
 #include "planes/disparity_tolerance.h"
 #include "planes/fold_search.h"
 #include "planes/plane_fit.h"
@@ -102,7 +102,7 @@ void RegionGrowing::clear(const GrownRegion& region, const Predicate& out) {
 
 /// Among the cells marked, the connected region that has most of `whole`: there may be larger ones elsewhere in its plane.
 void RegionGrowing::addPart(const GrownRegion& whole, const DisparityPlane& plane) {
-  cv::erode(in_plane_, eroded_, cv::Mat());
+  erode(in_plane_, &eroded_);
   cores_.process(eroded_);
   grown_.create(in_plane_.size());
   grown_.setTo(0);
@@ -129,7 +129,7 @@ void RegionGrowing::addPart(const GrownRegion& whole, const DisparityPlane& plan
 
 /// The connected regions among the cells marked.
 void RegionGrowing::addComponents(const DisparityPlane& plane) {
-  cv::erode(in_plane_, eroded_, cv::Mat());
+  erode(in_plane_, &eroded_);
   cores_.process(eroded_);
   for (const ConnectedRuns::Component& core : cores_.components()) {
     if (core.cells * kCell * kCell < config_.min_region) continue;

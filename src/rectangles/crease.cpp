@@ -2,7 +2,9 @@
 #include "rectangles/crease.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace cabinet_articulation::core {
 namespace {
@@ -31,34 +33,48 @@ std::optional<Neighbour> meeting(const ImageEdge& edge, const PlaneRegion& regio
   neighbour.at_edge = difference(middle);
   neighbour.slope = difference(middle + edge.outward) - neighbour.at_edge;
   neighbour.plane = other.disparity_plane;
+  const bool near = neighbour.slope > 0 && neighbour.at(-kFarthest) < 0 && neighbour.at(kNearest) > 0;
+  if (!near) return std::nullopt;
   neighbour.angle = std::acos(std::clamp(other.plane.normal.dot(region.plane.normal), -1.0, 1.0));
-  if (!(neighbour.slope > 0) || neighbour.angle < kLeastAngle) return std::nullopt;
-  const bool near = neighbour.at(-kFarthest) < 0 && neighbour.at(kNearest) > 0;
-  return near ? std::optional<Neighbour>(neighbour) : std::nullopt;
+  return neighbour.angle < kLeastAngle ? std::nullopt : std::optional<Neighbour>(neighbour);
 }
 
-/// How many of some places beyond an edge belong to a region.
-int countBeyond(const ImageEdge& edge, const PlaneRegion& region) {
-  int count = 0;
-  for (int i = 0; i < kSamples; ++i)
-    for (const double distance : kDistances) {
-      const Eigen::Vector2d pixel = edge.at((i + 0.5) / kSamples, distance);
-      const cv::Point nearest(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
-      count += cv::Rect({0, 0}, region.mask.size()).contains(nearest) && region.mask(nearest) == kInPlane;
-    }
-  return count;
-}
+/// Some pixels beyond an edge.
+class PlacesBeyond {
+ public:
+  PlacesBeyond(const ImageEdge& edge, const cv::Size& image) {
+    for (int i = 0; i < kSamples; ++i)
+      for (const double distance : kDistances) {
+        const Eigen::Vector2d pixel = edge.at((i + 0.5) / kSamples, distance);
+        const cv::Point nearest(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
+        if (cv::Rect({0, 0}, image).contains(nearest)) places_[n_++] = nearest;
+      }
+  }
+
+  /// How many of them belong to a region.
+  int count(const PlaneRegion& region) const {
+    return static_cast<int>(
+        std::count_if(places_.begin(), places_.begin() + n_, [&](const cv::Point& p) { return region.mask(p) == kInPlane; }));
+  }
+
+ private:
+  std::array<cv::Point, kSamples * std::size(kDistances)> places_;
+  int n_ = 0;
+};
 
 }  // namespace
 
 std::optional<Neighbour> neighbourBeyond(const ImageEdge& edge, const PlaneRegion& region,
                                          const std::vector<PlaneRegion>& regions) {
   std::optional<Neighbour> neighbour;
+  std::optional<PlacesBeyond> places;
   int most = static_cast<int>(kLeastShare * kSamples * std::size(kDistances));
   for (const PlaneRegion& other : regions) {
     if (other.mask.data == region.mask.data) continue;
     const std::optional<Neighbour> candidate = meeting(edge, region, other);
-    const int count = candidate ? countBeyond(edge, other) : 0;
+    if (!candidate) continue;
+    if (!places) places.emplace(edge, region.mask.size());
+    const int count = places->count(other);
     if (count <= most) continue;
     most = count;
     neighbour = candidate;

@@ -51,7 +51,8 @@ std::optional<PlaneRectangle> carriedOver(const ImageQuad& quad, const PlaneChar
 PlaneRefit::PlaneRefit(const PlanesConfig& config) : refinement_(config) {}
 
 void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates) {
-  if (frame.left.empty() || frame.right.empty()) return;
+  if (frame.left.empty() || frame.right.empty() || candidates->empty()) return;
+  refinement_.setImages(frame);
   for (const double most : {kManyPixels, kFewPixels}) refit(frame, most, candidates);
 }
 
@@ -70,7 +71,7 @@ void PlaneRefit::refit(const DepthFrame& frame, double most, std::vector<Rectang
   }
   if (small.empty()) return;
   if (tolerance_.size() != frame.left.size()) tolerance_ = cv::Mat1f(frame.left.size(), kTolerance);
-  refinement_.process(frame, tolerance_, &set_);
+  refinement_.refine(frame, tolerance_, &set_);
   for (size_t i = 0; i < small.size(); ++i) {
     RectangleCandidate& candidate = *small[i];
     const auto plane = toPlane(set_.regions[i].plane, frame.camera);

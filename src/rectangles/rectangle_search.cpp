@@ -36,16 +36,21 @@ class GreedySearch {
     best_.rectangle = start;
     const double pixels_per_metre = chart_.pixelsPerMetre();
     for (double step = config_.first_step; step >= config_.last_step; step /= 2) {
-      row_step_ = static_cast<int>(std::clamp(step * pixels_per_metre * kRowShare, 1.0, kMaxRowStep));
-      best_.gain = gain(best_.rectangle);
+      lookAtRows(static_cast<int>(std::clamp(step * pixels_per_metre * kRowShare, 1.0, kMaxRowStep)));
       climb(step, freedom);
     }
-    row_step_ = 1;
-    best_.gain = gain(best_.rectangle);
+    lookAtRows(1);
     return best_;
   }
 
  private:
+  /// Gains of different row steps do not compare.
+  void lookAtRows(int row_step) {
+    if (row_step == row_step_) return;
+    row_step_ = row_step;
+    best_.gain = gain(best_.rectangle);
+  }
+
   /// In turn, until every move has failed since the last that gained.
   void climb(double step, SearchFreedom freedom) {
     const Move* const first = std::begin(kMoves) + (freedom == SearchFreedom::kAll ? 0 : std::size(kEdges));
@@ -80,7 +85,7 @@ class GreedySearch {
   const PlaneChart& chart_;
   const RectangleObjective& objective_;
   const RectanglesConfig& config_;
-  int row_step_ = 1;
+  int row_step_ = 0;  ///< of the best gain
   SearchResult best_;
 };
 
