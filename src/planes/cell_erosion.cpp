@@ -23,9 +23,9 @@ __attribute__((target_clones("avx2", "default"))) void erodeRow(Rows rows, int n
 
 }  // namespace
 
-void erode(const cv::Mat1b& cells, cv::Mat1b* eroded) {
+void erode(const cv::Mat1b& cells, const cv::Range& rows, cv::Mat1b* eroded) {
   eroded->create(cells.size());
-  for (int row = 0; row < cells.rows; ++row)
+  for (int row = rows.start; row < rows.end; ++row)
     erodeRow({cells[std::max(row - 1, 0)], cells[row], cells[std::min(row + 1, cells.rows - 1)]}, cells.cols, (*eroded)[row]);
 }
 

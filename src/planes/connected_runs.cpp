@@ -18,11 +18,11 @@ void appendRuns(const std::uint8_t* cells, int n, int row, std::vector<CellRun>*
   }
 }
 
-void ConnectedRuns::process(const cv::Mat1b& mask) {
+void ConnectedRuns::process(const cv::Mat1b& mask, const cv::Range& rows) {
   scanned_.clear();
   parent_.clear();
   int previous = 0;
-  for (int row = 0; row < mask.rows; ++row) {
+  for (int row = rows.start; row < rows.end; ++row) {
     const int current = static_cast<int>(scanned_.size());
     appendRuns(mask[row], mask.cols, row, &scanned_);
     const int end = static_cast<int>(scanned_.size());

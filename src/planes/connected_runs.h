@@ -23,8 +23,10 @@ class ConnectedRuns {
     int cells = 0;
   };
 
-  /// `mask` holds 0 and 255. Results are valid until the next call; components come in the order of their first cells.
-  void process(const cv::Mat1b& mask);
+  /// `mask` holds 0 and 255; only these rows of it are looked at. Results are valid until the next call; components come in the
+  /// order of their first cells.
+  void process(const cv::Mat1b& mask, const cv::Range& rows);
+  void process(const cv::Mat1b& mask) { process(mask, {0, mask.rows}); }
 
   const std::vector<Component>& components() const { return components_; }
   const std::vector<CellRun>& runs() const { return runs_; }

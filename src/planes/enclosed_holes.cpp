@@ -10,6 +10,12 @@ namespace {
 
 enum Passage : std::uint8_t { kWall, kWay, kOutside };
 
+__attribute__((target_clones("avx2", "default"))) int countFree(const std::uint8_t* labels, int n) {
+  int count = 0;
+  for (int u = 0; u < n; ++u) count += labels[u] == kFree;
+  return count;
+}
+
 void markWays(const std::uint8_t* __restrict labels, int n, std::uint8_t* __restrict passages) {
   for (int u = 0; u < n; ++u) passages[u] = labels[u] == kFree || labels[u] == kUnknown ? kWay : kWall;
 }
@@ -33,6 +39,9 @@ void EnclosedHoles::label(const std::vector<cv::Point2f>& hull, int inliers, cv:
   const cv::Rect box = cv::boundingRect(hull) & cv::Rect({0, 0}, mask->size());
   if (box.empty()) return;
   cv::Mat1b labels = (*mask)(box);
+  int free = 0;
+  for (int v = 0; v < box.height; ++v) free += countFree(labels[v], box.width);
+  if (free < kHollowShare * area) return;
   // Parts of images as large as the mask, which are allocated once.
   open_.create(mask->rows + 2, mask->cols + 2);
   enclosed_.create(mask->size());

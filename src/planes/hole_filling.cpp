@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes/hole_filling.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cabinet_articulation/stereo/depth_frame.h"
@@ -16,6 +17,12 @@ int toNextMeasured(const float* pixel, int stride, int reach) {
   for (int distance = 1; distance <= reach; ++distance)
     if (isValidDisparity(pixel[distance * stride])) return distance;
   return 0;
+}
+
+/// The next pixel from `u` on that was measured.
+int endOfHole(const float* row, int u, int cols) {
+  while (u < cols && !isValidDisparity(row[u])) ++u;
+  return u;
 }
 
 /// Linear between the hole's ends along `stride`; 0 if they are too far apart.
@@ -36,10 +43,13 @@ void fillHoles(const cv::Mat1f& disparity, cv::Mat1f* filled) {
   for (int v = kWidest; v < disparity.rows - kWidest; ++v) {
     const float* in = disparity[v];
     float* out = (*filled)[v];
-    for (int u = kWidest; u < disparity.cols - kWidest; ++u) {
-      if (isValidDisparity(in[u])) continue;
-      out[u] = interpolate(in + u, 1);
-      if (out[u] == 0) out[u] = interpolate(in + u, row_stride);
+    for (int u = kWidest, end = u; u < disparity.cols - kWidest; u = end + 1) {
+      end = endOfHole(in, u, disparity.cols);
+      const bool is_narrow = end - u <= kWidest || u == kWidest;
+      for (int hole = u; hole < std::min(end, disparity.cols - kWidest); ++hole) {
+        out[hole] = is_narrow ? interpolate(in + hole, 1) : 0;
+        if (out[hole] == 0) out[hole] = interpolate(in + hole, row_stride);
+      }
     }
   }
 }

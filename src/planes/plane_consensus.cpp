@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "planes/disparity_tolerance.h"
@@ -76,10 +75,9 @@ class PlaneConsensus::Model : public pcl::SampleConsensusModelPlane<Point> {
 
  private:
   /// What rnd() of PCL gives, without its way through Boost's distribution: half of 32 bits.
-  int draw() { return static_cast<int>(random_() >> 1); }
+  int draw() { return static_cast<int>(rng_alg_() >> 1); }
   int neighbour(int pixel, int radius);
 
-  std::mt19937 random_;
   Pixels pixels_;
   cv::Mat1i grid_;  ///< index into `pixels_` of each strided pixel, or -1
   int stride_ = 1;
@@ -109,7 +107,7 @@ void PlaneConsensus::Model::setFrame(const DepthFrame& frame, const PlanesConfig
   }
   pixels_.resize(n);
   indices_->resize(n);
-  random_.seed(static_cast<unsigned>(config.seed));
+  rng_alg_.seed(static_cast<unsigned>(config.seed));
 }
 
 void PlaneConsensus::Model::remove(const std::vector<int>& inliers) {

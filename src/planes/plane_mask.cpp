@@ -19,7 +19,8 @@ struct RowPlane {
 namespace {
 
 using detail::RowPlane;
-constexpr int kBlock = 16;  ///< [px] side
+constexpr int kBlockWidth = 32;  ///< [px] as many labels as bytes in a vector
+constexpr int kBlockHeight = 16;  ///< [px]
 
 // Selections without branches, so that the loops vectorise. A point in front of the plane has the larger disparity.
 inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance, int in_plane) {
@@ -28,23 +29,35 @@ inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance
   return static_cast<std::uint8_t>(isValidDisparity(disparity) ? label : kUnknown);
 }
 
-/// Everything that does not depend on a plane, of a row with `n` pixels.
-struct PixelRow {
-  const float *disparity, *limit, *tolerance;
-  std::uint8_t* labels;
+/// Images that the labels of a box are made from, and the labels.
+struct BoxImages {
+  const cv::Mat1f &disparity, &limit, &tolerance;
+  cv::Mat1b& labels;
 };
 
-__attribute__((target_clones("avx2", "default"))) void labelPart(const PixelRow& row, int begin, int end, RowPlane plane) {
-  const float* __restrict disparity = row.disparity;
-  const float* __restrict limit = row.limit;
-  const float* __restrict tolerance = row.tolerance;
-  std::uint8_t* __restrict labels = row.labels;
-  for (int u = begin; u < end; ++u) {
-    const float residual = disparity[u] - plane.at(u);
-    const int in_plane = std::abs(residual) > limit[u] ? kOtherPlane : kInPlane;
+inline void labelPixels(const float* __restrict disparity, const float* __restrict limit, const float* __restrict tolerance,
+                        int first, int n, RowPlane plane, std::uint8_t* __restrict labels) {
+  for (int i = 0; i < n; ++i) {
+    const float residual = disparity[i] - plane.at(first + i);
+    const int in_plane = std::abs(residual) > limit[i] ? kOtherPlane : kInPlane;
     const int outside = residual > 0 ? kOccluded : kFree;
-    const int label = std::abs(residual) <= tolerance[u] ? in_plane : outside;
-    labels[u] = static_cast<std::uint8_t>(tolerance[u] < 0 ? kUnknown : label);
+    const int label = std::abs(residual) <= tolerance[i] ? in_plane : outside;
+    labels[i] = static_cast<std::uint8_t>(tolerance[i] < 0 ? kUnknown : label);
+  }
+}
+
+/// Block by block: a loop of a known length needs no preparation, which would cost as much as the few blocks of a usual row.
+__attribute__((target_clones("avx2", "default"))) void labelBox(const BoxImages& images, const cv::Rect& box,
+                                                                const DisparityPlane& plane) {
+  for (int v = box.y; v < box.y + box.height; ++v) {
+    const RowPlane row(plane, v);
+    const float *disparity = images.disparity[v], *limit = images.limit[v], *tolerance = images.tolerance[v];
+    std::uint8_t* labels = images.labels[v];
+    int u = box.x;
+    const int end = box.x + box.width;
+    for (; u + kBlockWidth <= end; u += kBlockWidth)
+      labelPixels(disparity + u, limit + u, tolerance + u, u, kBlockWidth, row, labels + u);
+    labelPixels(disparity + u, limit + u, tolerance + u, u, end - u, row, labels + u);
   }
 }
 
@@ -79,7 +92,7 @@ void NoiseMask::setFrame(const cv::Mat1f& disparity, const DisparityTolerance& t
   free_.create(disparity.size());
   occluded_.create(disparity.size());
   ranges_.clear();
-  for (int top = 0; top < disparity.rows; top += kBlock) addBand(top, std::min(top + kBlock, disparity.rows), tolerance);
+  for (int top = 0; top < disparity.rows; top += kBlockHeight) addBand(top, std::min(top + kBlockHeight, disparity.rows), tolerance);
 }
 
 /// The ranges of a row of blocks.
@@ -90,8 +103,8 @@ void NoiseMask::addBand(int top, int bottom, const DisparityTolerance& tolerance
   most_.assign(n, -1);
   for (int v = top; v < bottom; ++v)
     addRow(disparity_[v], n, tolerance, tolerance_[v], least_.data(), most_.data(), free_[v], occluded_[v]);
-  for (int begin = 0; begin < n; begin += kBlock) {
-    const int end = std::min(begin + kBlock, n);
+  for (int begin = 0; begin < n; begin += kBlockWidth) {
+    const int end = std::min(begin + kBlockWidth, n);
     const float most = *std::max_element(most_.begin() + begin, most_.begin() + end);
     ranges_.push_back({*std::min_element(least_.begin() + begin, least_.begin() + end), most, tolerance.at(most)});
   }
@@ -107,13 +120,13 @@ NoiseMask::Place NoiseMask::placeOf(const Range& range, const RowPlane& first, c
 void NoiseMask::label(const DisparityPlane& plane, cv::Mat1b* mask) const {
   mask->create(disparity_.size());
   auto range = ranges_.begin();
-  for (int top = 0; top < mask->rows; top += kBlock) {
-    const int bottom = std::min(top + kBlock, mask->rows);
+  for (int top = 0; top < mask->rows; top += kBlockHeight) {
+    const int bottom = std::min(top + kBlockHeight, mask->rows);
     const RowPlane first(plane, top), last(plane, bottom - 1);
     Place place = Place::kAcross;  // of the blocks from `begin` on
     int begin = 0;
-    for (int u = 0; u < mask->cols; u += kBlock, ++range) {
-      const Place next = placeOf(*range, first, last, u, std::min(u + kBlock, mask->cols));
+    for (int u = 0; u < mask->cols; u += kBlockWidth, ++range) {
+      const Place next = placeOf(*range, first, last, u, std::min(u + kBlockWidth, mask->cols));
       if (next != place) labelBlocks(plane, place, {begin, top, u - begin, bottom - top}, mask);
       if (next != place) begin = u;
       place = next;
@@ -124,13 +137,9 @@ void NoiseMask::label(const DisparityPlane& plane, cv::Mat1b* mask) const {
 
 void NoiseMask::labelBlocks(const DisparityPlane& plane, Place place, const cv::Rect& box, cv::Mat1b* mask) const {
   if (box.empty()) return;
+  if (place == Place::kAcross) return labelBox({disparity_, limit_, tolerance_, *mask}, box, plane);
   const cv::Mat1b& whole = place == Place::kBehind ? free_ : occluded_;
-  for (int v = box.y; v < box.y + box.height; ++v) {
-    if (place == Place::kAcross)
-      labelPart({disparity_[v], limit_[v], tolerance_[v], (*mask)[v]}, box.x, box.x + box.width, RowPlane(plane, v));
-    else
-      std::copy_n(whole[v] + box.x, box.width, (*mask)[v] + box.x);
-  }
+  for (int v = box.y; v < box.y + box.height; ++v) std::copy_n(whole[v] + box.x, box.width, (*mask)[v] + box.x);
 }
 
 // With p = z r and disparity = f B / z, the distance to the plane is offset |disparity - disparity of the plane| / disparity.

@@ -50,7 +50,7 @@ RegionSet& RegionGrowing::process(const DepthFrame& frame, const std::vector<Dis
   if (disparity_.empty()) return set_;
   for (const DisparityPlane& plane : planes) {
     markInPlane(plane, frame.camera);
-    addComponents(plane);
+    addComponents(plane, {0, in_plane_.rows});
   }
   return set_;
 }
@@ -59,13 +59,15 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
   std::swap(set_, untrimmed_);
   set_.regions.clear();
   set_.runs.clear();
+  in_plane_.setTo(0);
   for (const GrownRegion& region : untrimmed_.regions) {
-    in_plane_.setTo(0);
     for (int i = region.first_run; i < region.last_run; ++i) {
       const CellRun& run = untrimmed_.runs[i];
       markWithin(disparity_[run.row], limit[run.row], run.begin, run.end, region.plane, run.row * kCell, in_plane_[run.row]);
     }
-    addComponents(region.plane);
+    const cv::Range rows(untrimmed_.runs[region.first_run].row, untrimmed_.runs[region.last_run - 1].row + 1);
+    addComponents(region.plane, rows);
+    in_plane_.rowRange(rows).setTo(0);
   }
   return set_;
 }
@@ -102,8 +104,9 @@ void RegionGrowing::clear(const GrownRegion& region, const Predicate& out) {
 
 /// Among the cells marked, the connected region that has most of `whole`: there may be larger ones elsewhere in its plane.
 void RegionGrowing::addPart(const GrownRegion& whole, const DisparityPlane& plane) {
-  erode(in_plane_, &eroded_);
-  cores_.process(eroded_);
+  const cv::Range rows(0, in_plane_.rows);
+  erode(in_plane_, rows, &eroded_);
+  cores_.process(eroded_, rows);
   grown_.create(in_plane_.size());
   grown_.setTo(0);
   for (int i = whole.first_run; i < whole.last_run; ++i) {
@@ -127,10 +130,10 @@ void RegionGrowing::addPart(const GrownRegion& whole, const DisparityPlane& plan
   set_.regions.back().plane = fitPlane(*part).value_or(plane);
 }
 
-/// The connected regions among the cells marked.
-void RegionGrowing::addComponents(const DisparityPlane& plane) {
-  erode(in_plane_, &eroded_);
-  cores_.process(eroded_);
+/// The connected regions among the cells marked, which lie in these rows.
+void RegionGrowing::addComponents(const DisparityPlane& plane, const cv::Range& rows) {
+  erode(in_plane_, rows, &eroded_);
+  cores_.process(eroded_, rows);
   for (const ConnectedRuns::Component& core : cores_.components()) {
     if (core.cells * kCell * kCell < config_.min_region) continue;
     set_.regions.push_back(growBack(core));

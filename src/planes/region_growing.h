@@ -49,7 +49,7 @@ class RegionGrowing {
   const cv::Mat1f& cells() const { return disparity_; }
 
  private:
-  void addComponents(const DisparityPlane& plane);
+  void addComponents(const DisparityPlane& plane, const cv::Range& rows);
   void shrinkDisparity(const cv::Mat1f& disparity);
   void markInPlane(const DisparityPlane& plane, const StereoCamera& camera);
   std::optional<DisparityPlane> fitPlane(const ConnectedRuns::Component& core) const;
