@@ -6,6 +6,7 @@
 
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "stereo/sad_row.h"
+#include "stereo/speckle_filter.h"
 
 namespace cabinet_articulation::core {
 
@@ -44,7 +45,7 @@ class SadMatcher {
   cv::Mat1b left_, right_;  ///< filtered, with margins; their last row has no gradient
   std::vector<Stripe> stripes_;
   cv::Mat1s sixteenths_;
-  cv::Mat speckle_buffer_;
+  SpeckleFilter speckle_filter_;
 };
 
 }  // namespace cabinet_articulation::core
