@@ -8,11 +8,15 @@
 
 namespace {
 
-std::atomic<std::int64_t> allocation_count{0}, allocation_bytes{0};
+std::atomic<std::int64_t> allocation_count{0}, allocation_bytes{0}, largest_block{0};
 
 void note(std::size_t size) {
   allocation_count.fetch_add(1, std::memory_order_relaxed);
-  allocation_bytes.fetch_add(static_cast<std::int64_t>(size), std::memory_order_relaxed);
+  const auto bytes = static_cast<std::int64_t>(size);
+  allocation_bytes.fetch_add(bytes, std::memory_order_relaxed);
+  std::int64_t largest = largest_block.load(std::memory_order_relaxed);
+  while (bytes > largest && !largest_block.compare_exchange_weak(largest, bytes, std::memory_order_relaxed)) {
+  }
 }
 
 }  // namespace
@@ -53,6 +57,6 @@ int posix_memalign(void** result, std::size_t alignment, std::size_t size) {
 
 namespace cabinet_articulation::core::evaluation {
 
-Allocations allocations() { return {allocation_count, allocation_bytes}; }
+Allocations allocations() { return {allocation_count, allocation_bytes, largest_block.exchange(0)}; }
 
 }  // namespace cabinet_articulation::core::evaluation

@@ -2,13 +2,25 @@
 #include "cabinet_articulation/geometry/rectangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 namespace cabinet_articulation::core {
 namespace {
 
-using Polygon = std::vector<Eigen::Vector2d>;
+/// A convex polygon. Each of the four cuts of a quadrilateral adds a corner at most.
+class Polygon {
+ public:
+  size_t size() const { return size_; }
+  const Eigen::Vector2d& operator[](size_t i) const { return corners_[i]; }
+  void push_back(const Eigen::Vector2d& corner) {
+    if (size_ < corners_.size()) corners_[size_++] = corner;
+  }
+
+ private:
+  std::array<Eigen::Vector2d, 8> corners_;
+  size_t size_ = 0;
+};
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -23,16 +23,32 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// `ends` is memory to use again.
-std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set, std::vector<cv::Point2f>* ends) {
-  std::vector<cv::Point2f> hull;
-  ends->clear();
+/// Memory to use again.
+struct Outline {
+  std::vector<CellRun> rows;
+  std::vector<cv::Point2f> ends;
+};
+
+/// Only ends that reach beyond those of the row above or below are corners.
+std::vector<cv::Point2f> hullOf(const GrownRegion& region, const RegionSet& set, Outline* outline) {
+  auto& [rows, ends] = *outline;
+  rows.clear();
   for (int i = region.first_run; i < region.last_run; ++i) {
     const CellRun& run = set.runs[i];
-    for (const int u : {run.begin * kCell, run.end * kCell - 1})
-      for (const int v : {run.row * kCell, (run.row + 1) * kCell - 1}) ends->emplace_back(u, v);
+    if (rows.empty() || rows.back().row != run.row) rows.push_back(run);
+    rows.back().end = run.end;
   }
-  cv::convexHull(*ends, hull);
+  ends.clear();
+  const auto addEnds = [&ends = ends](const CellRun& row, const CellRun* neighbour, int v) {
+    if (!neighbour || neighbour->begin > row.begin) ends.emplace_back(row.begin * kCell, v);
+    if (!neighbour || neighbour->end < row.end) ends.emplace_back(row.end * kCell - 1, v);
+  };
+  for (size_t i = 0; i < rows.size(); ++i) {
+    addEnds(rows[i], i > 0 ? &rows[i - 1] : nullptr, rows[i].row * kCell);
+    addEnds(rows[i], i + 1 < rows.size() ? &rows[i + 1] : nullptr, (rows[i].row + 1) * kCell - 1);
+  }
+  std::vector<cv::Point2f> hull;
+  cv::convexHull(ends, hull);
   return hull;
 }
 
@@ -104,7 +120,7 @@ struct PlaneSegmenter::Buffers {
   PhotometricRefinement refinement;
   NoiseMask noise_mask;
   EnclosedHoles holes;
-  std::vector<cv::Point2f> ends;
+  Outline outline;
   ImagePool<cv::Mat1b> masks;
 };
 
@@ -139,6 +155,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   }
 
   std::vector<PlaneRegion> regions;
+  regions.reserve(set.regions.size());
   const cv::Mat1f& limit = b.competition.process(disparity, set);
   b.noise_mask.setFrame(
       disparity, DisparityTolerance(frame.camera, config_.mask_tolerance_px, config_.mask_tolerance_m, config_.tolerance_cap),
@@ -148,7 +165,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
     if (!plane || !isNear(*plane, grown.plane)) continue;
     cv::Mat1b mask = b.masks.take(disparity.size());
     b.noise_mask.label(grown.plane, &mask);
-    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set, &b.ends), mask});
+    regions.push_back({*plane, grown.plane, measuredPixels(grown, set, disparity), hullOf(grown, set, &b.outline), mask});
     b.holes.label(regions.back().hull, regions.back().inliers, &mask);
   }
   return regions;

@@ -29,6 +29,11 @@ __attribute__((target_clones("avx2", "default"))) void shrinkRows(const float* u
   }
 }
 
+/// As setTo(), which takes memory from the heap.
+void clearRows(const cv::Range& rows, cv::Mat1b* cells) {
+  for (int row = rows.start; row < rows.end; ++row) std::fill_n((*cells)[row], cells->cols, 0);
+}
+
 /// Marks the cells [begin, end) of a row whose residual is within `limit`.
 __attribute__((target_clones("avx2", "default"))) void markWithin(const float* __restrict disparity,
                                                                   const float* __restrict limit, int begin, int end,
@@ -59,7 +64,7 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
   std::swap(set_, untrimmed_);
   set_.regions.clear();
   set_.runs.clear();
-  in_plane_.setTo(0);
+  clearRows({0, in_plane_.rows}, &in_plane_);
   for (const GrownRegion& region : untrimmed_.regions) {
     for (int i = region.first_run; i < region.last_run; ++i) {
       const CellRun& run = untrimmed_.runs[i];
@@ -67,7 +72,7 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
     }
     const cv::Range rows(untrimmed_.runs[region.first_run].row, untrimmed_.runs[region.last_run - 1].row + 1);
     addComponents(region.plane, rows);
-    in_plane_.rowRange(rows).setTo(0);
+    clearRows(rows, &in_plane_);
   }
   return set_;
 }
@@ -108,7 +113,7 @@ void RegionGrowing::addPart(const GrownRegion& whole, const DisparityPlane& plan
   erode(in_plane_, rows, &eroded_);
   cores_.process(eroded_, rows);
   grown_.create(in_plane_.size());
-  grown_.setTo(0);
+  clearRows(rows, &grown_);
   for (int i = whole.first_run; i < whole.last_run; ++i) {
     const CellRun& run = set_.runs[i];
     std::fill(grown_[run.row] + run.begin, grown_[run.row] + run.end, 255);
@@ -170,7 +175,7 @@ GrownRegion RegionGrowing::growBack(const ConnectedRuns::Component& core) {
   grown_.create(in_plane_.size());
   const int top = std::max(cores_.runs()[core.first_run].row - 1, 0);
   const int bottom = std::min(cores_.runs()[core.last_run - 1].row + 2, grown_.rows);
-  grown_.rowRange(top, bottom).setTo(0);
+  clearRows({top, bottom}, &grown_);
   for (int i = core.first_run; i < core.last_run; ++i) {
     const CellRun& run = cores_.runs()[i];
     const int begin = std::max(run.begin - 1, 0), end = std::min(run.end + 1, grown_.cols);

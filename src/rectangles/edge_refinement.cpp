@@ -121,7 +121,8 @@ std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegio
   image = imageEdge(chart, moved, edge);
   if (!image) return std::nullopt;
   neighbour->at_edge = neighbour->at(start);
-  PlaneRegion other = region;
+  PlaneRegion other;  // what a profile looks at
+  other.mask = region.mask;
   other.disparity_plane = neighbour->plane;
   const Borders borders =
       findCreases(EdgeProfile(surroundings.frame, region, *image), EdgeProfile(surroundings.frame, other, *image), *neighbour);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "rectangles/side_face.h"
 
@@ -101,15 +100,16 @@ double leastLogResidual(const std::array<float, EdgeProfile::kOffsets>& residual
 
 EdgeStep findStep(const EdgeProfile::Residuals& residuals, const SideFace& side_face) {
   Values on_plane;
-  std::vector<float> inside;
+  Values inside;
+  int n = 0;
   for (int k = 0; k < kStrips; ++k) {
     on_plane[k] = logResidual(residuals.residual[k][EdgeProfile::kOnPlane]);
-    if (k < kStrips / 2 && residuals.weight[k] > 0) inside.push_back(on_plane[k]);
+    if (k < kStrips / 2 && residuals.weight[k] > 0) inside[n++] = on_plane[k];
   }
   EdgeStep step;
-  if (inside.size() < kMinStrips) return step;
-  std::nth_element(inside.begin(), inside.begin() + inside.size() / 2, inside.end());
-  const float level = inside[inside.size() / 2];
+  if (n < kMinStrips) return step;
+  std::nth_element(inside.begin(), inside.begin() + n / 2, inside.begin() + n);
+  const float level = inside[n / 2];
   Values evidence;
   for (int k = 0; k < kStrips; ++k) {
     const double explained = std::min<double>(level, leastLogResidual(residuals.residual[k]));

@@ -60,24 +60,22 @@ void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate
 void PlaneRefit::refit(const DepthFrame& frame, double most, std::vector<RectangleCandidate>* candidates) {
   set_.regions.clear();
   set_.runs.clear();
-  std::vector<RectangleCandidate*> small;
-  std::vector<ImageQuad> quads;
+  small_.clear();
   for (RectangleCandidate& candidate : *candidates) {
     const auto quad = candidate.chart.project(candidate.rectangle);
     if (!quad || area(*quad) > most) continue;
     appendRegion(*quad, candidate.region.disparity_plane, frame.left.size(), &set_);
-    small.push_back(&candidate);
-    quads.push_back(*quad);
+    small_.push_back({&candidate, *quad});
   }
-  if (small.empty()) return;
+  if (small_.empty()) return;
   if (tolerance_.size() != frame.left.size()) tolerance_ = cv::Mat1f(frame.left.size(), kTolerance);
   refinement_.refine(frame, tolerance_, &set_);
-  for (size_t i = 0; i < small.size(); ++i) {
-    RectangleCandidate& candidate = *small[i];
+  for (size_t i = 0; i < small_.size(); ++i) {
+    RectangleCandidate& candidate = *small_[i].candidate;
     const auto plane = toPlane(set_.regions[i].plane, frame.camera);
     if (!plane) continue;
     const auto chart = PlaneChart::at(*plane, frame.camera, candidate.chart.toPixel(candidate.rectangle.center));
-    const auto rectangle = chart ? carriedOver(quads[i], *chart) : std::nullopt;
+    const auto rectangle = chart ? carriedOver(small_[i].quad, *chart) : std::nullopt;
     if (!rectangle) continue;
     candidate.region.plane = *plane;
     candidate.region.disparity_plane = set_.regions[i].plane;

@@ -23,8 +23,14 @@ class PlaneRefit {
  private:
   void refit(const DepthFrame& frame, double most, std::vector<RectangleCandidate>* candidates);
 
+  struct Small {
+    RectangleCandidate* candidate;
+    ImageQuad quad;  ///< [px] of its rectangle
+  };
+
   PhotometricRefinement refinement_;
-  RegionSet set_;
+  std::vector<Small> small_;
+  RegionSet set_;  ///< of the small ones
   cv::Mat1f tolerance_;
 };
 

@@ -56,24 +56,25 @@ bool sameSurface(const Rectangle& a, const Rectangle& b) {
          intersectionOverUnion(a, b) > kSameOverlap;
 }
 
-std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const SupportedRectangle& a, const SupportedRectangle& b) { return a.support > b.support; });
-  std::vector<SupportedRectangle> distinct;
-  int tracked = 0;
-  for (const SupportedRectangle& candidate : candidates) {
-    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const SupportedRectangle& better) {
-      return sameSurface(better.detection.rectangle, candidate.detection.rectangle);
-    });
-    if (known) continue;
-    distinct.push_back(candidate);
-    tracked += candidate.tracked ? 1 : 0;
-  }
+std::vector<DetectedRectangle> selectBest(const std::vector<SupportedRectangle>& candidates, const RectanglesConfig& config) {
+  std::vector<const SupportedRectangle*> distinct(candidates.size());
+  std::transform(candidates.begin(), candidates.end(), distinct.begin(), [](const SupportedRectangle& c) { return &c; });
+  std::stable_sort(distinct.begin(), distinct.end(),
+                   [](const SupportedRectangle* a, const SupportedRectangle* b) { return a->support > b->support; });
+  auto end = distinct.begin();
+  for (const SupportedRectangle* candidate : distinct)
+    if (std::none_of(distinct.begin(), end, [&](const SupportedRectangle* better) {
+          return sameSurface(better->detection.rectangle, candidate->detection.rectangle);
+        }))
+      *end++ = candidate;
+  distinct.erase(end, distinct.end());
+  const auto tracked =
+      static_cast<int>(std::count_if(distinct.begin(), distinct.end(), [](const SupportedRectangle* c) { return c->tracked; }));
   std::vector<DetectedRectangle> selected;
   int others = std::max(config.max_rectangles - tracked, 0);
-  for (const SupportedRectangle& candidate : distinct) {
+  for (const SupportedRectangle* candidate : distinct) {
     if (static_cast<int>(selected.size()) == config.max_rectangles) break;
-    if (candidate.tracked || others-- > 0) selected.push_back(candidate.detection);
+    if (candidate->tracked || others-- > 0) selected.push_back(candidate->detection);
   }
   return selected;
 }

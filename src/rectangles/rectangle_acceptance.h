@@ -37,6 +37,6 @@ struct SupportedRectangle {
 
 /// Best supported first, without those that show the same surface as a better one. Of more than `max_rectangles`, tracked
 /// ones stay first, then the best supported.
-std::vector<DetectedRectangle> selectBest(std::vector<SupportedRectangle> candidates, const RectanglesConfig& config);
+std::vector<DetectedRectangle> selectBest(const std::vector<SupportedRectangle>& candidates, const RectanglesConfig& config);
 
 }  // namespace cabinet_articulation::core

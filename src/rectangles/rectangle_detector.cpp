@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "cabinet_articulation/geometry/limits.h"
 #include "rectangles/edge_refinement.h"
@@ -106,6 +107,8 @@ struct RectangleDetector::Buffers {
   Buffers(const RectanglesConfig& config, const PlanesConfig& planes) : objective(config), plane_refit(planes) {}
   RectangleObjective objective;
   PlaneRefit plane_refit;
+  std::vector<RectangleCandidate> candidates;
+  std::vector<SupportedRectangle> accepted;
 };
 
 RectangleDetector::RectangleDetector(const RectanglesConfig& config, const PlanesConfig& planes) : config_(config) {
@@ -122,19 +125,23 @@ std::vector<DetectedRectangle> RectangleDetector::process(const DepthFrame& fram
   requireSizes(frame, regions);
   assert(std::all_of(regions.begin(), regions.end(), isSane));
   const std::vector<Rectangle> expected = config_.use_tracks ? tracks : std::vector<Rectangle>();
-  std::vector<RectangleCandidate> candidates = search(frame.camera, regions, expected);
+  search(frame.camera, regions, expected);
+  std::vector<RectangleCandidate>& candidates = buffers_->candidates;
   if (config_.refine_planes) buffers_->plane_refit.process(frame, &candidates);
-  std::vector<SupportedRectangle> accepted;
+  std::vector<SupportedRectangle>& accepted = buffers_->accepted;
+  accepted.clear();
   for (RectangleCandidate& candidate : candidates)
     if (auto result = refine({frame, regions}, expected, &candidate)) accepted.push_back(*result);
-  return selectBest(std::move(accepted), config_);
+  candidates.clear();  // nobody keeps the masks' memory
+  return selectBest(accepted, config_);
 }
 
-std::vector<RectangleCandidate> RectangleDetector::search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
-                                                          const std::vector<Rectangle>& expected) {
+void RectangleDetector::search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
+                               const std::vector<Rectangle>& expected) {
   RectangleObjective& objective = buffers_->objective;
   WorkBudget budget(config_.time_budget);
-  std::vector<RectangleCandidate> candidates;
+  std::vector<RectangleCandidate>& candidates = buffers_->candidates;
+  candidates.clear();
   for (const int i : regionOrder(regions, camera, expected)) {
     if (budget.exhausted()) break;
     budget.addRegion();
@@ -145,12 +152,11 @@ std::vector<RectangleCandidate> RectangleDetector::search(const StereoCamera& ca
     const std::optional<RegionFit> fit = fitRegion(regions[i], *chart, objective, expected, config_);
     budget.addRows(objective.rowsSeen() - rows);
     if (!fit) continue;
-    const RectangleCandidate candidate{i, regions[i], *chart, fit->rectangle, fit->guided};
+    RectangleCandidate candidate{i, regions[i], *chart, fit->rectangle, fit->guided};
     if (!assess(candidate, objective, config_)) continue;
     budget.addRefinement();
-    candidates.push_back(candidate);
+    candidates.push_back(std::move(candidate));
   }
-  return candidates;
 }
 
 std::optional<SupportedRectangle> RectangleDetector::refine(const Surroundings& surroundings,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
@@ -20,12 +21,13 @@ constexpr double kFarthest = 1e6;      ///< [m] ours: beyond, a pixel sees the p
 constexpr double kRandomSide = 0.2;    ///< [m] of a random start (original release)
 
 std::optional<PlaneRectangle> outlineStart(const PlaneRegion& region, const PlaneChart& chart) {
-  std::vector<cv::Point2f> outline;
+  cv::AutoBuffer<cv::Point2f> outline(region.hull.size());
+  int n = 0;
   for (const cv::Point2f& pixel : region.hull)
     if (const auto point = chart.fromPixel({pixel.x, pixel.y}); point && point->norm() < kFarthest)
-      outline.emplace_back(point->x(), point->y());
-  if (outline.size() < 3) return std::nullopt;
-  const cv::RotatedRect box = cv::minAreaRect(outline);
+      outline[n++] = cv::Point2f(static_cast<float>(point->x()), static_cast<float>(point->y()));
+  if (n < 3) return std::nullopt;
+  const cv::RotatedRect box = cv::minAreaRect(cv::Mat(n, 1, CV_32FC2, outline.data()));
   PlaneRectangle start;
   start.center = {box.center.x, box.center.y};
   start.angle = box.angle * kDegree;
@@ -66,13 +68,13 @@ bool sizeObserved(const std::array<float, 4>& support) {
 
 std::optional<RegionFit> fitRegion(const PlaneRegion& region, const PlaneChart& chart, const RectangleObjective& objective,
                                    const std::vector<Rectangle>& expected, const RectanglesConfig& config) {
-  std::vector<PlaneRectangle> starts = randomStarts(region, chart, config);
-  if (const auto start = outlineStart(region, chart)) starts.insert(starts.begin(), *start);
   SearchResult free{{}, -std::numeric_limits<double>::infinity()};
-  for (const PlaneRectangle& start : starts) {
+  const auto search = [&](const PlaneRectangle& start) {
     const SearchResult result = searchRectangle(chart, objective, start, SearchFreedom::kAll, config);
     if (result.gain > free.gain) free = result;
-  }
+  };
+  if (const auto start = outlineStart(region, chart)) search(*start);
+  for (const PlaneRectangle& start : randomStarts(region, chart, config)) search(start);
   SearchResult guided{{}, -std::numeric_limits<double>::infinity()};
   for (const Rectangle& rectangle : expected) {
     if (!liesIn(region.plane, rectangle)) continue;

@@ -28,6 +28,7 @@ bool liesIn(const Plane& plane, const Rectangle& expected) {
 std::vector<int> regionOrder(const std::vector<PlaneRegion>& regions, const StereoCamera& camera,
                              const std::vector<Rectangle>& expected) {
   std::vector<char> tracked;
+  tracked.reserve(regions.size());
   for (const PlaneRegion& region : regions)
     tracked.push_back(
         std::any_of(expected.begin(), expected.end(), [&](const Rectangle& r) { return holds(region, camera, r); }));

@@ -33,9 +33,8 @@ class RectangleDetector {
 
  private:
   struct Buffers;
-  /// At most one rectangle per region, by its mask alone; within the time budget.
-  std::vector<RectangleCandidate> search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions,
-                                         const std::vector<Rectangle>& expected);
+  /// At most one candidate per region, by its mask alone; within the time budget.
+  void search(const StereoCamera& camera, const std::vector<PlaneRegion>& regions, const std::vector<Rectangle>& expected);
   /// Edges from the images, acceptance and covariance.
   std::optional<SupportedRectangle> refine(const Surroundings& surroundings, const std::vector<Rectangle>& expected,
                                            RectangleCandidate* candidate);
