@@ -16,6 +16,7 @@ void measure(benchmark::State& state, Work&& work) {
   const Allocations after = allocations();
   using benchmark::Counter;
   state.counters["allocations"] = Counter(static_cast<double>(after.count - before.count), Counter::kAvgIterations);
+  state.counters["largest_kB"] = static_cast<double>(after.largest) / 1024;
   state.counters["kB"] = Counter(static_cast<double>(after.bytes - before.bytes) / 1024, Counter::kAvgIterations);
 }
 

@@ -19,7 +19,7 @@ struct RowPlane {
 namespace {
 
 using detail::RowPlane;
-constexpr int kBlockWidth = 32;  ///< [px] as many labels as bytes in a vector
+constexpr int kBlockWidth = 32;   ///< [px] as many labels as bytes in a vector
 constexpr int kBlockHeight = 16;  ///< [px]
 
 // Selections without branches, so that the loops vectorise. A point in front of the plane has the larger disparity.
@@ -92,7 +92,8 @@ void NoiseMask::setFrame(const cv::Mat1f& disparity, const DisparityTolerance& t
   free_.create(disparity.size());
   occluded_.create(disparity.size());
   ranges_.clear();
-  for (int top = 0; top < disparity.rows; top += kBlockHeight) addBand(top, std::min(top + kBlockHeight, disparity.rows), tolerance);
+  for (int top = 0; top < disparity.rows; top += kBlockHeight)
+    addBand(top, std::min(top + kBlockHeight, disparity.rows), tolerance);
 }
 
 /// The ranges of a row of blocks.

@@ -132,8 +132,7 @@ const cv::Mat1s& SadMatcher::compute(const cv::Mat1b& left, const cv::Mat1b& rig
     for (int i = range.start; i < range.end; ++i)
       match({first + rows * i / stripes, first + rows * (i + 1) / stripes}, &stripes_[i]);
   });
-  if (config_.speckle_size > 0)
-    speckle_filter_.process(config_.speckle_size, config_.speckle_range, unmatched_, &sixteenths_);
+  if (config_.speckle_size > 0) speckle_filter_.process(config_.speckle_size, config_.speckle_range, unmatched_, &sixteenths_);
   return sixteenths_;
 }
 

@@ -11,8 +11,8 @@ namespace cabinet_articulation::core {
 /// Memory is kept from call to call.
 class SpeckleFilter {
  public:
-  /// Sets the patches of at most `size` pixels to `unmatched`. A pixel and its neighbour (of four) belong to one patch if both are
-  /// matched and differ by no more than `range` [px/16].
+  /// Sets the patches of at most `size` pixels to `unmatched`. A pixel and its neighbour (of four) belong to one patch if both
+  /// are matched and differ by no more than `range` [px/16].
   void process(int size, int range, std::int16_t unmatched, cv::Mat1s* sixteenths);
 
  private:
