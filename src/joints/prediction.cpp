@@ -28,8 +28,7 @@ UncertainPose predictWithCovariance(const LearnedModel& model, double q) {
   return {model.predict(q), J * model.covariance * J.transpose() + observationCovariance(model)};
 }
 
-NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose) {
-  requireJoint(model);
+NearestConfiguration nearestConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose) {
   requireWithin("position", pose.translation(), limits::kFromOrigin);
   if (!pose.linear().allFinite()) throw std::invalid_argument("the orientation is not finite");
   NearestConfiguration nearest;
@@ -38,6 +37,11 @@ NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::I
   nearest.position_residual = (pose.translation() - predicted.translation()).norm();
   nearest.orientation_residual = angleBetween(pose, predicted);
   return nearest;
+}
+
+NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose) {
+  requireJoint(model);
+  return nearestConfiguration(model, pose);
 }
 
 std::vector<UncertainPose> handlePath(const LearnedModel& model, const Eigen::Isometry3d& T_front_grasp, double q_from,

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 #include "cabinet_articulation/geometry/limits.h"
@@ -13,17 +11,12 @@
 #include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "nodelets/offer_service.h"
+#include "nodelets/stateless_services.h"
 #include "ros/joints.h"
 
 namespace cabinet_articulation {
 namespace {
-
-geometry_msgs::PoseWithCovariance withCovariance(const core::UncertainPose& pose) {
-  geometry_msgs::PoseWithCovariance message;
-  message.pose = toMessage(pose.pose);
-  message.covariance = toMessage(pose.covariance);
-  return message;
-}
 
 Eigen::Isometry3d graspOf(const HandlePath::Request& request) {
   geometry_msgs::Pose grasp;
@@ -43,28 +36,8 @@ double configurationOf(const core::LearnedModel& model, double requested, bool a
 template <class Service>
 void ModelServices::advertise(const std::string& name,
                               void (ModelServices::*answer)(const typename Service::Request&, typename Service::Response*)) {
-  using Request = typename Service::Request;
-  using Response = typename Service::Response;
-  const boost::function<bool(Request&, Response&)> callback = [this, answer, name](Request& request, Response& response) {
-    response.message = "an error of the stage, see /diagnostics";
-    guard_(name, [&] {
-      try {
-        Response good;
-        (this->*answer)(request, &good);
-        response = std::move(good);
-        response.success = true;
-      } catch (const core::NameError& refusal) {
-        response.message = refusal.what();
-        if constexpr (std::is_same_v<Service, SetName>) response.proposal = refusal.proposal();
-      } catch (const std::runtime_error& refusal) {
-        response.message = refusal.what();
-      } catch (const std::invalid_argument& refusal) {
-        response.message = refusal.what();
-      }
-    });
-    return true;
-  };
-  servers_.push_back(nh_.advertiseService<Request, Response>(name, callback));
+  const auto ask = [this, answer](const auto& request, auto* response) { (this->*answer)(request, response); };
+  servers_.push_back(offerService<Service>(&nh_, name, guard_, ask));
 }
 
 ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig& config, const std::string& models_file,
@@ -80,6 +53,8 @@ ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig&
   advertise<ExportUrdf>("export_urdf", &ModelServices::exportUrdf);
   advertise<SetName>("set_name", &ModelServices::setName);
   advertise<std_srvs::Trigger>("reset", &ModelServices::reset);
+  const auto settings = [this] { return settingsNow(); };
+  for (const ros::ServiceServer& server : offerStatelessServices(&nh_, settings, guard_)) servers_.push_back(server);
 }
 
 void ModelServices::shutdown() {
@@ -89,6 +64,11 @@ void ModelServices::shutdown() {
 void ModelServices::setConfig(const core::ArticulationConfig& config) {
   std::lock_guard<std::mutex> lock(mutex_);
   config_ = config;
+}
+
+core::ArticulationConfig ModelServices::settingsNow() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return config_;
 }
 
 core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* header) const {
@@ -104,7 +84,7 @@ void ModelServices::predict(const Predict::Request& request, Predict::Response* 
   core::requireAtMost("openings in q", request.q.size(), core::limits::kMostEntries);
   std::vector<double> openings = request.q;
   for (double& q : openings) q = configurationOf(model, q, request.as_opening);
-  for (const double q : openings) response->poses.push_back(withCovariance(core::predictWithCovariance(model, q)));
+  for (const double q : openings) response->poses.push_back(toMessage(core::predictWithCovariance(model, q)));
   const auto [lowest, highest] = std::minmax_element(openings.begin(), openings.end());
   response->message = core::outsideSeenRange(model, *lowest, *highest);
 }
@@ -123,12 +103,7 @@ void ModelServices::configuration(const Configuration::Request& request, Configu
 void ModelServices::fitTrack(const FitTrack::Request& request, FitTrack::Response* response) {
   const core::Track track = wholeTrack(request.track);
   if (track.observations.empty()) throw core::ModelError("the track has no poses");
-  core::ArticulationConfig config;
-  {
-    std::lock_guard<std::mutex> lock(mutex_);
-    config = config_;
-  }
-  for (const core::LearnedModel& model : core::fitAllModels(track, config))
+  for (const core::LearnedModel& model : core::fitAllModels(track, settingsNow()))
     response->models.push_back(toMessage(model, request.track.header.frame_id));
   if (response->models.empty()) throw core::ModelError("no pose of the track can be used");
 }
@@ -141,7 +116,7 @@ void ModelServices::handlePath(const HandlePath::Request& request, HandlePath::R
   const auto path = core::handlePath(model, graspOf(request), q_from, q_to, steps);
   for (int i = 0; i < steps; ++i) {
     response->q.push_back(q_from + (q_to - q_from) * i / (steps - 1));
-    response->poses.push_back(withCovariance(path[static_cast<std::size_t>(i)]));
+    response->poses.push_back(toMessage(path[static_cast<std::size_t>(i)]));
   }
   response->message = core::outsideSeenRange(model, std::min(q_from, q_to), std::max(q_from, q_to));
 }

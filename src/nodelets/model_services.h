@@ -38,7 +38,7 @@ class ModelServices {
   /// For export_urdf: joints count from where they are closed, and others are left out.
   void countFromClosed(bool from_closed) { from_closed_ = from_closed; }
 
-  /// For fit_track.
+  /// For fit_track and the stateless services.
   void setConfig(const core::ArticulationConfig& config);
 
  private:
@@ -46,6 +46,7 @@ class ModelServices {
   void advertise(const std::string& name,
                  void (ModelServices::*answer)(const typename Service::Request&, typename Service::Response*));
 
+  core::ArticulationConfig settingsNow();
   core::LearnedModel modelOf(std::uint32_t id, std_msgs::Header* header) const;
   void predict(const Predict::Request& request, Predict::Response* response);
   void configuration(const Configuration::Request& request, Configuration::Response* response);

@@ -138,6 +138,13 @@ ArticulationModel toMessage(const core::LearnedModel& model, const std::string& 
   return message;
 }
 
+geometry_msgs::PoseWithCovariance toMessage(const core::UncertainPose& pose) {
+  geometry_msgs::PoseWithCovariance message;
+  message.pose = toMessage(pose.pose);
+  message.covariance = toMessage(pose.covariance);
+  return message;
+}
+
 core::LearnedModel fromMessage(const ArticulationModel& message) {
   if (message.type >= core::modelRegistry().size())
     throw std::invalid_argument("type is " + std::to_string(message.type) + ", expected less than " +

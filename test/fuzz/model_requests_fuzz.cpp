@@ -8,9 +8,12 @@
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/joints/prediction.h"
 #include "cabinet_articulation/joints/urdf.h"
+#include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "joints/learned_fronts.h"
 #include "messages.h"
 #include "model_uses.h"
+#include "ros/model_answers.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;
@@ -18,6 +21,7 @@ using namespace cabinet_articulation;
 namespace {
 
 constexpr char kPredict = 'p', kConfiguration = 'c', kHandlePath = 'h', kExportUrdf = 'u', kSetName = 'n';
+constexpr char kEvaluate = 'e', kProjectPoses = 'x', kProjectConfigurations = 'q';
 
 const core::LearnedModel& modelOf(std::uint32_t id) {
   static const core::KnownFronts known = [] {
@@ -61,6 +65,27 @@ void answer(const SetName::Request& request) {
   core::toUrdf({known.at(3), known.at(4)}, "map", "cabinet");
 }
 
+void answer(const EvaluateModel::Request& request) { evaluateModel(request, {}); }
+void answer(const ProjectPoses::Request& request) { projectPoses(request); }
+void answer(const ProjectConfigurations::Request& request) { projectConfigurations(request); }
+
+/// Requests about a model that is sent in, of a free curve, which has the most to say.
+std::vector<std::string> requestsWithModels() {
+  const core::KnownFront front = test::learned(test::garageModel(), 5);
+  EvaluateModel::Request evaluate;
+  evaluate.model = toMessage(front.model, "map");
+  evaluate.track = toMessage(front.track, "map");
+  ProjectPoses::Request poses;
+  poses.model = evaluate.model;
+  poses.poses = evaluate.track.poses;
+  ProjectConfigurations::Request configurations;
+  configurations.model = toMessage(test::doorModel(), "map");
+  configurations.q = {-0.25, 0.5, 1.25};
+  using fuzz::serialized;
+  return {kEvaluate + serialized(evaluate), kProjectPoses + serialized(poses),
+          kProjectConfigurations + serialized(configurations)};
+}
+
 }  // namespace
 
 fuzz::Seeds fuzz::seeds() {
@@ -86,9 +111,10 @@ fuzz::Seeds fuzz::seeds() {
   many.q.assign(1000000, 0.5);
   ExportUrdf::Request all;
   all.ids.assign(1000000, 3);
-  return {{kPredict + serialized(predict), kConfiguration + serialized(configuration), kHandlePath + serialized(path),
-           kExportUrdf + serialized(urdf), kSetName + serialized(name)},
-          {kPredict + serialized(many), kExportUrdf + serialized(all)}};
+  std::vector<std::string> small = requestsWithModels();
+  small.insert(small.end(), {kPredict + serialized(predict), kConfiguration + serialized(configuration),
+                             kHandlePath + serialized(path), kExportUrdf + serialized(urdf), kSetName + serialized(name)});
+  return {small, {kPredict + serialized(many), kExportUrdf + serialized(all)}};
 }
 
 /// What the services on learned models do with a request; the first byte says which service.
@@ -99,6 +125,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (service == kConfiguration) answer(*reader.next<Configuration::Request>());
     if (service == kHandlePath) answer(*reader.next<HandlePath::Request>());
     if (service == kSetName) answer(*reader.next<SetName::Request>());
+    if (service == kEvaluate) answer(*reader.next<EvaluateModel::Request>());
+    if (service == kProjectPoses) answer(*reader.next<ProjectPoses::Request>());
+    if (service == kProjectConfigurations) answer(*reader.next<ProjectConfigurations::Request>());
     if (service == kExportUrdf) answer(*reader.next<ExportUrdf::Request>());
   });
 }

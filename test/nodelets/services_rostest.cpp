@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cabinet_articulation/Configuration.h>
+#include <cabinet_articulation/EvaluateModel.h>
 #include <cabinet_articulation/ExportUrdf.h>
 #include <cabinet_articulation/FitTrack.h>
 #include <cabinet_articulation/HandlePath.h>
 #include <cabinet_articulation/KnownFrontArray.h>
 #include <cabinet_articulation/Predict.h>
+#include <cabinet_articulation/ProjectConfigurations.h>
+#include <cabinet_articulation/ProjectPoses.h>
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
@@ -113,6 +116,48 @@ TEST_F(Services, FitTrackRemembersNothing) {
   EXPECT_EQ(answer.models[0].type, ArticulationModel::ROTATIONAL);
   EXPECT_EQ(answer.models[0].header.frame_id, "somewhere");
   EXPECT_FALSE(predict(4711, {0}).success);
+}
+
+TEST_F(Services, AModelThatIsSentInIsEvaluatedAndProjectedTo) {
+  const ArticulationModelArrayConstPtr models = play(420);
+  ASSERT_TRUE(models);
+  EvaluateModel::Request evaluate;
+  evaluate.track = toMessage(tracks_[1], "map");
+  std::vector<double> likelihoods;
+  for (const ArticulationModel& model : models->models) {
+    evaluate.model = model;
+    evaluate.model.id = 4712;
+    const auto answer = call<EvaluateModel>("evaluate_model", evaluate);
+    ASSERT_TRUE(answer.success) << answer.message;
+    ASSERT_EQ(answer.q.size(), tracks_[1].observations.size());
+    likelihoods.push_back(answer.log_likelihood);
+  }
+  ASSERT_EQ(likelihoods.size(), 3u);
+  EXPECT_GT(likelihoods[1], std::max(likelihoods[0], likelihoods[2]) + 100) << "the drawer's track is the drawer's";
+
+  ProjectPoses::Request poses;
+  poses.model = models->models[1];
+  poses.model.id = 4712;
+  poses.poses = {toMessage(drawerPose(0.05)), toMessage(drawerPose(0.2))};
+  const auto q = call<ProjectPoses>("project_poses", poses);
+  ASSERT_TRUE(q.success) << q.message;
+  EXPECT_NEAR(q.q.at(1) - q.q.at(0), 0.15, 0.003);
+  ProjectConfigurations::Request configurations;
+  configurations.model = poses.model;
+  configurations.q = q.q;
+  const auto back = call<ProjectConfigurations>("project_configurations", configurations);
+  ASSERT_TRUE(back.success) << back.message;
+  ASSERT_EQ(back.poses.size(), 2u);
+  EXPECT_EQ(back.header.frame_id, "map");
+  EXPECT_LT((fromMessage(back.poses[1].pose).translation() - drawerPose(0.2).translation()).norm(), 0.005);
+  EXPECT_GT(back.poses[1].covariance[0], 0);
+  EXPECT_FALSE(predict(4712, {0}).success) << "nothing is remembered";
+
+  evaluate.track.header.frame_id = "odom";
+  const auto frames = call<EvaluateModel>("evaluate_model", evaluate);
+  EXPECT_FALSE(frames.success);
+  EXPECT_EQ(frames.message, "the model is in the frame 'map' and the track in 'odom'");
+  EXPECT_TRUE(frames.q.empty());
 }
 
 TEST_F(Services, RefusalsSayWhy) {

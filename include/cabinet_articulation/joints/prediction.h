@@ -26,7 +26,11 @@ struct NearestConfiguration {
   double orientation_residual = 0;  ///< [rad]
 };
 
-/// LearnedModel::configuration() and what is left. Throws ModelError unless the model is a joint,
+/// LearnedModel::configuration() and what is left, of any model. Throws std::invalid_argument unless the pose is within
+/// limits::kFromOrigin.
+NearestConfiguration nearestConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose);
+
+/// The same for what is known to be a joint. Throws ModelError unless the model is a joint,
 /// std::invalid_argument unless the pose is within limits::kFromOrigin.
 NearestConfiguration findConfiguration(const LearnedModel& model, const Eigen::Isometry3d& pose);
 

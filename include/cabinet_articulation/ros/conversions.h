@@ -7,12 +7,14 @@
 #include <cabinet_articulation/KnownFrontArray.h>
 #include <cabinet_articulation/RectangleArray.h>
 #include <cabinet_articulation/TrackArray.h>
+#include <geometry_msgs/PoseWithCovariance.h>
 #include <std_msgs/Header.h>
 
 #include <string>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/prediction.h"
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/stereo/depth_view.h"
 #include "cabinet_articulation/tracking/expected_fronts.h"
@@ -57,6 +59,8 @@ ArticulationModel toMessage(const core::LearnedModel& model, const std::string& 
 ArticulationModelArray toMessage(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header);
 core::LearnedModel fromMessage(const ArticulationModel& message);
 std::vector<core::LearnedModel> fromMessage(const ArticulationModelArray& message);
+
+geometry_msgs::PoseWithCovariance toMessage(const core::UncertainPose& pose);
 
 /// Those that can be used, as usableTracks.
 std::vector<core::LearnedModel> usableModels(const ArticulationModelArray& message, std::string* left_out);

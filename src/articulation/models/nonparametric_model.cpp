@@ -25,12 +25,11 @@ std::vector<double> placesAlong(PathShape shape, const PoseSamples& samples, con
 
 bool isCheaper(const CurveFit& a, const CurveFit& b) { return a.cost < b.cost; }
 
-/// False for models of other programs that name no way, or one too short to divide by.
-bool hasWay(const LearnedModel& model) {
+}  // namespace
+
+bool NonparametricModel::hasWay(const LearnedModel& model) {
   return model.curve.size() >= PoseCurve::kLeastKnots && model.q_max - model.q_min >= kShortestWay;
 }
-
-}  // namespace
 
 bool NonparametricModel::fit(const PoseSequence& track, const WorkBudget& budget) {
   if (track.size() < kLeastPoses) return false;

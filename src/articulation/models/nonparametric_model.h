@@ -23,6 +23,8 @@ class NonparametricModel : public ArticulationModel {
   static double configurationOfLearned(const LearnedModel& model, const Eigen::Isometry3d& front);
   static Matrix6d jacobianOfLearned(const LearnedModel& model, double q);
   static LearnedModel example();
+  /// False for models of other programs that name no way, or one too short to divide by.
+  static bool hasWay(const LearnedModel& model);
 
   using ArticulationModel::ArticulationModel;
 
