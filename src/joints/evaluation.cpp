@@ -44,6 +44,7 @@ TrackEvaluation evaluateOnTrack(const LearnedModel& model, const Track& track, c
   const Candidate candidate = evaluateCandidate(&joint, poses, config);
   TrackEvaluation evaluation;
   evaluation.log_likelihood = candidate.log_likelihood;
+  evaluation.cost_of_freedom = candidate.residuals.freedom;
   evaluation.outlier_ratio = candidate.outlier_share;
   const auto n = static_cast<double>(track.observations.size());
   for (const TrackedObservation& observation : track.observations) {

@@ -2,6 +2,7 @@
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import unittest
 from pathlib import Path
@@ -30,6 +31,14 @@ def run(space, *command, cwd=None, status=0, **variables):
     if result.returncode != status:
         raise AssertionError('%s: exit status %d\n%s' % (' '.join(map(str, command)), result.returncode, result.stdout))
     return result.stdout
+
+
+def own_master():
+    """A port that is free, and the variables by which programs find a master there."""
+    with socket.socket() as probe:
+        probe.bind(('', 0))
+        port = probe.getsockname()[1]
+    return port, {'ROS_MASTER_URI': 'http://localhost:%d' % port, 'ROS_HOSTNAME': 'localhost'}
 
 
 class Running:

@@ -10,10 +10,12 @@ import shutil
 import unittest
 from pathlib import Path
 
-from spaces import DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, InstalledPackage, run
+from spaces import DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, InstalledPackage, Running, own_master, run
 
 WATCHER = Path(__file__).resolve().parent / 'kitchen_watcher'
 EXAMPLES = ROOT / 'doc/examples'
+ORIGINAL_MESSAGES = WATCHER.parent / 'articulation_msgs'
+BRIDGE = WATCHER.parent / 'original_bridge'
 
 
 def build(space, name, packages, *arguments):
@@ -72,6 +74,16 @@ class Downstream(InstalledPackage):
 
     def test_a_workspace_over_the_install_space_and_each_public_header_alone(self):
         self.learns(build(INSTALL, 'over_install', (WATCHER,), '-DEACH_HEADER_ALONE=ON'), INSTALL / 'lib')
+
+    def test_the_bridge_in_a_workspace_with_the_messages_of_the_original_release(self):
+        devel = build(DEVEL, 'bridge', (ORIGINAL_MESSAGES, BRIDGE), '-DBRIDGE_SOURCES=%s' % (ROOT / 'src/bridge'))
+        run(devel, devel / 'lib/original_bridge/bridge_test')
+        port, master = own_master()
+        with Running(devel, 'roslaunch', '-p', port, 'original_bridge', 'bridge.launch', **master) as bridge:
+            text = run(devel, '/usr/bin/python3', BRIDGE / 'ask_bridge.py', **master)
+        self.assertIn('all is well', text)
+        # What the original's services cannot say, the log does.
+        self.assertIn('model_select: the track has no poses', bridge.output)
 
     def test_the_public_headers_are_those_that_are_listed(self):
         listed = (WATCHER / 'public_headers.txt').read_text().split()

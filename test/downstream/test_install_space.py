@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 """All that is installed works from the install space alone, without the source tree, the build and the devel space."""
 import re
-import socket
 import unittest
 from pathlib import Path
 
-from spaces import BUILD, DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, InstalledPackage, Running, run
+from spaces import BUILD, DEVEL, INSTALL, PACKAGE, ROOT, SCRATCH, InstalledPackage, Running, own_master, run
 
 SHARE = INSTALL / 'share' / PACKAGE
 PROGRAMS = INSTALL / 'lib' / PACKAGE
@@ -40,12 +39,6 @@ def installed(*folders):
     found = [path for folder in folders for path in sorted((INSTALL / folder).rglob('*')) if path.is_file()]
     assert found, folders
     return found
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('', 0))
-        return probe.getsockname()[1]
 
 
 class InstallSpace(InstalledPackage):
@@ -109,8 +102,7 @@ class InstallSpace(InstalledPackage):
         self.assertGreater((SCRATCH / 'overlay.png').stat().st_size, 1000)
 
     def test_a_launch_learns_and_tools_talk_to_it(self):
-        port = free_port()
-        master = {'ROS_MASTER_URI': 'http://localhost:%d' % port, 'ROS_HOSTNAME': 'localhost'}
+        port, master = own_master()
         with Running(INSTALL, 'roslaunch', '-p', port, PACKAGE, 'demo.launch', 'scene:=drawer', **master) as demo:
             # Rospy waits for the master.
             seen = here('/usr/bin/python3', '-c', WATCH, **master)

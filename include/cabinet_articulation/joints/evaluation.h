@@ -31,6 +31,9 @@ struct TrackEvaluation {
   /// [nats] Eqs. (6) to (10) for the poses of the front's centre, as the learner counts it: with what each observation says of
   /// its own noise, and a limit to what a false detection costs. Differences between models of one track mean something.
   double log_likelihood = 0;
+  /// [nats] Of it, what the model pays for q: Eq. (6), of models that move. It grows with the path, so that likelihoods of tracks
+  /// of different length compare without it.
+  double cost_of_freedom = 0;
 };
 
 /// Nothing is learned. Throws ModelError as requireShape(), and for a track without any usable observation.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <articulation_msgs/ModelMsg.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bridge/original_params.h"
+#include "cabinet_articulation/articulation/articulation_config.h"
+
+namespace cabinet_articulation::bridge {
+
+/// What the original release's model learners answer, by this package's learner. All of it throws std::invalid_argument or
+/// std::runtime_error, in words for whoever asked. The stored models are the only state.
+class OriginalLearner {
+ public:
+  using Model = articulation_msgs::ModelMsg;
+
+  /// `config.joint_types` are the candidates of select().
+  explicit OriginalLearner(const core::ArticulationConfig& config) : config_(config) {}
+
+  /// The most probable model of the track, or a stored one that takes the track in: what has the least sum of BIC over all
+  /// models. A stored one keeps its id, and comes with both tracks; the id of a new one is -1.
+  Model select(const Model& request) const;
+
+  /// The model that the request names, fitted to its track.
+  Model fit(const Model& request) const;
+
+  /// The model as its parameters say, evaluated on its track.
+  Model eval(const Model& request) const;
+
+  /// Channel q0 for the poses, and the poses of channel q0.
+  Model posesToConfigurations(const Model& request) const;
+  Model configurationsToPoses(const Model& request) const;
+
+  Model resampled(const Model& request) const;
+
+  /// Keeps the model; one with the id -1 gets the next that is free.
+  Model store(const Model& request);
+
+  std::vector<Model> prior() const;
+
+  /// In place of all that is stored, or nothing changes.
+  void setPrior(const std::vector<Model>& models);
+
+ private:
+  std::map<int, Model> stored_;
+  core::ArticulationConfig config_;
+};
+
+/// The most probable model of a track that was fitted as `config` says, described and evaluated in `message`, which has the
+/// track.
+void fitTo(const core::ArticulationConfig& config, articulation_msgs::ModelMsg* message);
+
+/// `config` with what the parameters of a request change: sigma_position, sigma_orientation, and disable_all with enable_<model>.
+/// Throws ConfigError for what is out of range.
+core::ArticulationConfig configured(core::ArticulationConfig config, const Params& params);
+
+}  // namespace cabinet_articulation::bridge
