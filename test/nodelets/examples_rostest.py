@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""doc/examples/ask_kitchen.py watches a drawer that is played, asks about it, and saves it."""
+"""The examples in Python: ask_kitchen.py watches a drawer that is played, asks about it, and saves it; check_accuracy.py compares
+what was learned with what was seen."""
 import re
 import signal
 import subprocess
@@ -8,11 +9,14 @@ import time
 import unittest
 from pathlib import Path
 
+import rosbag
 import rospy
 import rostest
 from geometry_msgs.msg import PoseArray
 
-EXAMPLE = Path(__file__).resolve().parents[2] / 'doc' / 'examples' / 'ask_kitchen.py'
+from cabinet_articulation.msg import ArticulationModelArray, TrackArray
+
+EXAMPLES = Path(__file__).resolve().parents[2] / 'doc' / 'examples'
 POSES = 60
 PATIENCE = 20
 
@@ -31,7 +35,7 @@ class Examples(unittest.TestCase):
 
     def output(self, file, paths):
         """What the example says until it has saved, and its path has come."""
-        with subprocess.Popen(['/usr/bin/python3', '-u', str(EXAMPLE), str(file)], stdout=subprocess.PIPE,
+        with subprocess.Popen(['/usr/bin/python3', '-u', str(EXAMPLES / 'ask_kitchen.py'), str(file)], stdout=subprocess.PIPE,
                               universal_newlines=True) as example:
             lines = []
             for line in example.stdout:
@@ -46,7 +50,9 @@ class Examples(unittest.TestCase):
 
     def ask(self, folder):
         write_drawer(folder / 'drawer.log')
-        paths = []
+        paths, tracks, models = [], [], []
+        rospy.Subscriber('/cabinet/tracks', TrackArray, tracks.append)
+        rospy.Subscriber('/cabinet/models', ArticulationModelArray, models.append)
         rospy.Subscriber('/gripper_path', PoseArray, paths.append)
         player = subprocess.Popen(['rosrun', 'cabinet_articulation', 'track_publisher', str(folder / 'drawer.log'), '_rate:=30',
                                    '_frame_id:=map', 'tracks:=/cabinet/tracks'])
@@ -66,6 +72,21 @@ class Examples(unittest.TestCase):
             self.assertAlmostEqual(z, 1.5 - q, delta=0.003)
         self.assertEqual([path.header.frame_id for path in paths], ['map'])
         self.assertIn('prismatic', (folder / 'kitchen.yaml').read_text())
+        self.check(folder, tracks[-1], models[-1])
+
+    def check(self, folder, tracks, models):
+        """The same drawer, seen 1 cm lower: y points down in the log."""
+        for pose in tracks.tracks[0].poses:
+            pose.position.y += 0.01
+        for name, topic, message in (('learned', '/cabinet/models', models), ('seen', '/cabinet/tracks', tracks)):
+            with rosbag.Bag(str(folder / (name + '.bag')), 'w') as bag:
+                bag.write(topic, message, message.header.stamp)
+        text = subprocess.run(['/usr/bin/python3', str(EXAMPLES / 'check_accuracy.py'), str(folder / 'learned.bag'),
+                               str(folder / 'seen.bag')], stdout=subprocess.PIPE, check=True, universal_newlines=True).stdout
+        error, degrees, way = re.match(r'front 1: (\S+) mm and (\S+) degrees from its path in the mean, over (\S+) of', text).groups()
+        self.assertAlmostEqual(float(error), 10, delta=0.5)
+        self.assertAlmostEqual(float(degrees), 0, delta=0.1)
+        self.assertGreater(float(way), 0.05)
 
 
 if __name__ == '__main__':
