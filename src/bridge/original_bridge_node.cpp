@@ -8,9 +8,11 @@
 #include <ros/ros.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "bridge/foreign_tracks.h"
 #include "bridge/live_models.h"
 #include "bridge/original_learner.h"
 #include "bridge/spanning_tree.h"
@@ -38,6 +40,11 @@ core::ArticulationConfig loadConfig() {
 class OriginalBridge {
  public:
   explicit OriginalBridge(const core::ArticulationConfig& config) : config_(config), learner_(config) {
+    const bool learns = ros::NodeHandle("~").param("learn", false);
+    if (learns)
+      foreign_ = std::make_unique<ForeignTracks>(nh_, config);
+    else
+      live_ = std::make_unique<LiveModels>(nh_);
     answerModels("model_select", &OriginalLearner::select);
     answerModels("model_fit", &OriginalLearner::fit);
     answerModels("model_eval", &OriginalLearner::eval);
@@ -79,7 +86,8 @@ class OriginalBridge {
   ros::NodeHandle nh_;
   core::ArticulationConfig config_;
   OriginalLearner learner_;
-  LiveModels live_{nh_};
+  std::unique_ptr<LiveModels> live_;
+  std::unique_ptr<ForeignTracks> foreign_;
   std::vector<ros::ServiceServer> servers_;
 };
 

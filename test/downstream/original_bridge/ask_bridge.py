@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Asks a running bridge as a program of the original release would, and says 'all is well' at the end."""
 import math
-import threading
 
 import rospy
 from articulation_msgs.msg import ModelMsg, TrackMsg
@@ -66,14 +65,20 @@ def ask_about_an_object():
     assert [(m.id, m.name) for m in models] == [(1, 'rotational')], models
 
 
+def publish_until(done, messages):
+    end = rospy.get_time() + 20
+    while not done():
+        assert rospy.get_time() < end, 'no answer'
+        for publisher, message in messages:
+            publisher.publish(message)
+        rospy.sleep(0.2)
+
+
 def watch_the_pipeline():
-    came = threading.Event()
     seen = {}
 
     def take(message):
         seen[type(message)] = message
-        if len(seen) == 2:
-            came.set()
 
     subscribers = [rospy.Subscriber('track', TrackMsg, take), rospy.Subscriber('model', ModelMsg, take)]
     tracks, models = (rospy.Publisher(name, kind, queue_size=1) for name, kind in (('tracks', TrackArray), ('models', ArticulationModelArray)))
@@ -82,13 +87,10 @@ def watch_the_pipeline():
     model.origin.position.x = 0.4
     model.origin.orientation.w = 1
     model.axis.y = 1
-    end = rospy.get_time() + 20
-    while not came.is_set() and rospy.get_time() < end:
-        for publisher, message in ((tracks, TrackArray(tracks=[track])), (models, ArticulationModelArray(models=[model]))):
-            message.header.stamp, message.header.frame_id = rospy.Time(140), 'map'
-            publisher.publish(message)
-        came.wait(0.2)
-    assert came.is_set(), list(seen)
+    messages = (TrackArray(tracks=[track]), ArticulationModelArray(models=[model]))
+    for message in messages:
+        message.header.stamp, message.header.frame_id = rospy.Time(140), 'map'
+    publish_until(lambda: len(seen) == 2, list(zip((tracks, models), messages)))
     del subscribers
     # The corner that the poses are of lies on the hinge, 0.3 m below the centre.
     corner = seen[TrackMsg].pose[0].position
@@ -99,8 +101,22 @@ def watch_the_pipeline():
     assert abs(value(model, 'rot_center.y') + 0.3) < 1e-6
 
 
+def track_for_the_pipeline():
+    """What a tracker of the original release sees is learned."""
+    models = []
+    subscriber = rospy.Subscriber('/foreign/model', ModelMsg, models.append)
+    publisher = rospy.Publisher('/foreign/track', TrackMsg, queue_size=1)
+    track = track_of(door, 1.2)
+    track.id = 5
+    publish_until(lambda: models, [(publisher, track)])
+    del subscriber
+    model = models[0]
+    assert (model.id, model.name, len(model.track.pose)) == (5, 'rotational', POSES)
+
+
 rospy.init_node('ask_bridge')
 ask_about_models()
 ask_about_an_object()
 watch_the_pipeline()
+track_for_the_pipeline()
 print('all is well')
