@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # demo.sh [SCENE] [ROSLAUNCH ARGUMENTS]: installs what is missing, builds, runs a simulated scene through the whole
 # pipeline, prints each learned object beside its ground truth, writes a picture, and exits with 0 when the models are
-# right. SCENE is door, drawer, kitchen (the default) or pedestal. Examples: demo.sh drawer rviz:=true, demo.sh
-# kitchen camera_motion:=true
+# right. SCENE is door, drawer, kitchen (the default), pedestal, bifold, trolley or cupboard. Examples: demo.sh drawer
+# rviz:=true, demo.sh kitchen camera_motion:=true
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(dirname "$here")/build
@@ -13,9 +13,9 @@ if [ $# -gt 0 ] && [[ $1 != *:=* ]]; then
   shift
 fi
 case $scene in
-  door | drawer | kitchen | pedestal) ;;
+  door | drawer | kitchen | pedestal | bifold | trolley | cupboard) ;;
   *)
-    echo "unknown scene '$scene', expected door, drawer, kitchen or pedestal" >&2
+    echo "unknown scene '$scene', expected door, drawer, kitchen, pedestal, bifold, trolley or cupboard" >&2
     exit 2
     ;;
 esac

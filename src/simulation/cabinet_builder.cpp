@@ -31,7 +31,7 @@ Materials Materials::random(cv::RNG* random) {
 }
 
 void CabinetBuilder::addFixedBox(const Vector3d& a, const Vector3d& b, double reflectance) {
-  addBox(boxBetween(a, b), reflectance, kFixedPart, &scene_->surfaces);
+  addBox(boxBetween(a, b), reflectance, carrier_, &scene_->surfaces);
 }
 
 void CabinetBuilder::addRoomPlane(const std::string& name, const Rectangle& rectangle, double reflectance) {
@@ -87,24 +87,33 @@ void CabinetBuilder::addDrawerBox(const Slot& slot, int part) {
   add({x0, y0, z0}, {x1, y1, z0 + 0.006});
 }
 
-void CabinetBuilder::addDrawer(const std::string& name, const Slot& slot, double travel) {
+Joint CabinetBuilder::jointOf(const std::string& name, JointType type, const Slot& slot) const {
   Joint joint;
   joint.name = name;
-  joint.type = JointType::kPrismatic;
+  joint.type = type;
   joint.front = frontOf(frontBox(slot));
-  joint.axis = -Vector3d::UnitY();
   joint.axis_point = joint.front.center();
+  joint.parent = carrier_;
+  return joint;
+}
+
+void CabinetBuilder::addDrawer(const std::string& name, const Slot& slot, double travel, double inside) {
+  Joint joint = jointOf(name, JointType::kPrismatic, slot);
+  joint.axis = -Vector3d::UnitY();
   joint.q_max = travel;
+  const std::size_t first = scene_->surfaces.size();
   joint.grip = addFrontWithHandle(slot, Handle::kHorizontal, nextPart());
   addDrawerBox(slot, nextPart());
+  const Eigen::Translation3d inwards(0, inside, 0);
+  for (std::size_t i = first; i < scene_->surfaces.size(); ++i)
+    scene_->surfaces[i].rectangle.pose = inwards * scene_->surfaces[i].rectangle.pose;
+  for (Vector3d* point : {&joint.grip, &joint.axis_point}) *point = inwards * *point;
+  joint.front.pose = inwards * joint.front.pose;
   scene_->joints.push_back(joint);
 }
 
 void CabinetBuilder::addDoor(const std::string& name, const Slot& slot, bool hinge_left, double q_max) {
-  Joint joint;
-  joint.name = name;
-  joint.type = JointType::kRotational;
-  joint.front = frontOf(frontBox(slot));
+  Joint joint = jointOf(name, JointType::kRotational, slot);
   // Seen from above a door with its hinge on the left opens clockwise.
   const double side = hinge_left ? -1 : 1;
   joint.axis = side * Vector3d::UnitZ();
@@ -112,6 +121,40 @@ void CabinetBuilder::addDoor(const std::string& name, const Slot& slot, bool hin
   joint.q_max = q_max;
   joint.grip = addFrontWithHandle(slot, hinge_left ? Handle::kVerticalRight : Handle::kVerticalLeft, nextPart());
   scene_->joints.push_back(joint);
+}
+
+void CabinetBuilder::addSecondLeaf(const std::string& name, const Slot& slot, double q_max) {
+  Joint joint = jointOf(name, JointType::kRotational, slot);
+  joint.axis = Vector3d::UnitZ();
+  joint.axis_point = joint.front.center() + Vector3d(-(joint.front.width + gap_) / 2, kFrontThickness, 0);
+  joint.q_max = q_max;
+  joint.turn = Turn::kWithPrevious;
+  addBox(frontBox(slot), materials_.front, nextPart(), &scene_->surfaces);
+  scene_->joints.push_back(joint);
+}
+
+void CabinetBuilder::addPushedFront(const std::string& name, const Slot& slot, double travel, const Vector3d& grip) {
+  Joint joint = jointOf(name, JointType::kPrismatic, slot);
+  joint.axis = Vector3d::UnitX();
+  joint.q_max = travel;
+  joint.grip = grip;
+  joint.turn = Turn::kAroundOthers;
+  addBox(frontBox(slot), materials_.front, nextPart(), &scene_->surfaces);
+  scene_->joints.push_back(joint);
+}
+
+void CabinetBuilder::addWallAndFloor(double y) {
+  Rectangle wall;
+  wall.pose.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  wall.pose.translation() = Vector3d(0, y, 1.25);
+  wall.width = 6;
+  wall.height = 2.5;
+  addRoomPlane("wall", wall, materials_.wall);
+  Rectangle floor;
+  floor.pose.translation() = Vector3d(0, y - 2, 0);
+  floor.width = 6;
+  floor.height = 4;
+  addRoomPlane("floor", floor, materials_.floor);
 }
 
 void CabinetBuilder::addCarcass(const Slot& slot, double depth) {

@@ -27,18 +27,35 @@ class CabinetBuilder {
  public:
   CabinetBuilder(Scene* scene, const Materials& materials, double gap) : scene_(scene), materials_(materials), gap_(gap) {}
 
+  /// What is added from here on is carried by the joint that was added last.
+  void hangOnLastJoint() { carrier_ = nextPart() - 1; }
+
+  /// The joint that was added last is closed when those that are added later are.
+  void keepLastJointOpen() { scene_->joints.back().turn = Turn::kAroundOthers; }
+
   void addFixedFront(const std::string& name, const Slot& slot, Handle handle);
-  void addDrawer(const std::string& name, const Slot& slot, double travel);
+  /// `inside` [m]: how far its closed front lies behind those of y = 0.
+  void addDrawer(const std::string& name, const Slot& slot, double travel, double inside = 0);
   void addDoor(const std::string& name, const Slot& slot, bool hinge_left, double q_max);
+
+  /// The second leaf of a folding door, to the right of the one it hangs on. Their backs come together as it opens.
+  void addSecondLeaf(const std::string& name, const Slot& slot, double q_max);
+
+  /// The front of something that is pushed along x, and held at `grip`.
+  void addPushedFront(const std::string& name, const Slot& slot, double travel, const Eigen::Vector3d& grip);
 
   /// Side boards, bottom, top rail and back behind the slot, so that one looks into something when a front is open.
   void addCarcass(const Slot& slot, double depth);
   void addShelf(const Slot& slot, double z, double depth);
 
+  /// Carried as all else, by the room if by nothing.
   void addFixedBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reflectance);
 
   /// A large static rectangle of the room, listed in the ground truth.
   void addRoomPlane(const std::string& name, const Rectangle& rectangle, double reflectance);
+
+  /// A wall `y` behind the fronts, and the floor before it.
+  void addWallAndFloor(double y);
 
  private:
   Box frontBox(const Slot& slot) const;
@@ -47,10 +64,12 @@ class CabinetBuilder {
   Eigen::Vector3d addHandle(const Eigen::Vector3d& centre, bool vertical, double length, int part);
   void addDrawerBox(const Slot& slot, int part);
   int nextPart() const { return static_cast<int>(scene_->joints.size()); }
+  Joint jointOf(const std::string& name, JointType type, const Slot& slot) const;
 
   Scene* scene_;
   Materials materials_;
   double gap_;
+  int carrier_ = kFixedPart;
 };
 
 }  // namespace cabinet_articulation::core

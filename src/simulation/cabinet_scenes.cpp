@@ -2,6 +2,8 @@
 #include "simulation/cabinet_scenes.h"
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "simulation/scene_factories.h"
 
@@ -9,7 +11,10 @@ namespace cabinet_articulation::core {
 
 Scene makeScene(const SimulationConfig& config) {
   cv::RNG random(static_cast<std::uint64_t>(config.scene_seed) + 1);
-  Scene scene = config.scene == "pedestal" ? makePedestal(&random) : makeKitchen(config.scene, config.hinge == "left", &random);
+  const std::map<std::string, Scene (*)(cv::RNG*)> makers = {
+      {"bifold", makeBifold}, {"cupboard", makeCupboard}, {"pedestal", makePedestal}, {"trolley", makeTrolley}};
+  const auto maker = makers.find(config.scene);
+  Scene scene = maker != makers.end() ? maker->second(&random) : makeKitchen(config.scene, config.hinge == "left", &random);
   scene.name = config.scene;
   return scene;
 }

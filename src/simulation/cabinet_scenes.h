@@ -12,6 +12,9 @@ namespace cabinet_articulation::core {
 ///   drawer    a kitchen front, one drawer opens
 ///   kitchen   a kitchen front, a door and a drawer open one after the other
 ///   pedestal  a free-standing office pedestal, two of its three drawers open one after the other
+///   bifold    a tall cupboard, whose door folds: the second leaf hangs on the first
+///   trolley   is pushed along by half a metre, then its two drawers open
+///   cupboard  a door opens, then a drawer behind it, which hangs on the cupboard as the door does
 ///   static    the kitchen front, nothing moves
 Scene makeScene(const SimulationConfig& config);
 

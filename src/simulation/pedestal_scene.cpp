@@ -10,17 +10,7 @@ using Eigen::Vector3d;
 constexpr int kDrawers = 3;
 
 void addRoom(const Materials& materials, CabinetBuilder* builder) {
-  Rectangle wall;
-  wall.pose.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  wall.pose.translation() = Vector3d(0, 1.1, 1.25);
-  wall.width = 6;
-  wall.height = 2.5;
-  builder->addRoomPlane("wall", wall, materials.wall);
-  Rectangle floor;
-  floor.pose.translation() = Vector3d(0, -0.9, 0);
-  floor.width = 6;
-  floor.height = 4;
-  builder->addRoomPlane("floor", floor, materials.floor);
+  builder->addWallAndFloor(1.1);
   // A desk beside it and a waste bin.
   builder->addFixedBox({0.35, -0.05, 0.70}, {1.75, 0.75, 0.725}, materials.worktop);
   builder->addFixedBox({0.37, 0.0, 0.0}, {0.39, 0.70, 0.70}, materials.body);

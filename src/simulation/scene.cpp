@@ -11,9 +11,17 @@ Eigen::Isometry3d Joint::motion(double q) const {
   return motion;
 }
 
-std::vector<Surface> Scene::surfacesAt(const std::vector<double>& q) const {
+std::vector<Eigen::Isometry3d> Scene::motionsAt(const std::vector<double>& q) const {
   std::vector<Eigen::Isometry3d> motions;
-  for (size_t i = 0; i < joints.size(); ++i) motions.push_back(joints[i].motion(q[i]));
+  for (size_t i = 0; i < joints.size(); ++i) {
+    const Eigen::Isometry3d own = joints[i].motion(q[i]);
+    motions.push_back(joints[i].parent == kFixedPart ? own : motions.at(static_cast<size_t>(joints[i].parent)) * own);
+  }
+  return motions;
+}
+
+std::vector<Surface> Scene::surfacesAt(const std::vector<double>& q) const {
+  const std::vector<Eigen::Isometry3d> motions = motionsAt(q);
   std::vector<Surface> moved = surfaces;
   for (Surface& surface : moved)
     if (surface.part != kFixedPart) surface.rectangle.pose = motions[surface.part] * surface.rectangle.pose;

@@ -14,6 +14,11 @@ Scene makeKitchen(const std::string& kind, bool hinge_left, cv::RNG* random);
 
 Scene makePedestal(cv::RNG* random);
 
+// Fronts that hang on one another, or only seem to (see makeScene).
+Scene makeBifold(cv::RNG* random);
+Scene makeTrolley(cv::RNG* random);
+Scene makeCupboard(cv::RNG* random);
+
 /// The point at `distance` from the target, `azimuth` to the right of straight in front and `elevation` above. [rad]
 Eigen::Vector3d viewPoint(const Eigen::Vector3d& target, double distance, double azimuth, double elevation);
 

@@ -19,13 +19,22 @@ const SimulationConfig& checked(const SimulationConfig& config) {
 /// Mostly short, and at times up to `longest`.
 double mostlyShort(double longest, cv::RNG* random) { return longest * std::pow(random->uniform(0.0, 1.0), 3); }
 
-/// One joint after the other, each with its own speed, and from the second round on with its own width, stay and rest.
+constexpr double kBetweenMoves = 1.5;  ///< [s]
+
+/// In turn as the scene says, each with its own speed, and from the second round on with its own width, stay and rest.
 MotionScript makeScript(const SimulationConfig& config, const Scene& scene) {
   cv::RNG random(static_cast<std::uint64_t>(config.scene_seed) * 2 + 1);
   std::vector<Move> moves;
   double start = 1;
   for (int round = 0; round < config.rounds; ++round) {
+    const size_t first = moves.size();
     for (size_t i = 0; i < scene.joints.size(); ++i) {
+      if (scene.joints[i].turn == Turn::kWithPrevious) {
+        moves.push_back(moves.back());
+        moves.back().joint = static_cast<int>(i);
+        moves.back().q_max *= scene.joints[i].q_max / scene.joints[i - 1].q_max;
+        continue;
+      }
       Move move;
       move.joint = static_cast<int>(i);
       move.q_max = scene.joints[i].q_max;
@@ -38,7 +47,13 @@ MotionScript makeScript(const SimulationConfig& config, const Scene& scene) {
         move.start += mostlyShort(20, &random);
       }
       moves.push_back(move);
-      start = move.end() + 1.5;
+      start = (scene.joints[i].turn == Turn::kAroundOthers ? move.start + move.opening : move.end()) + kBetweenMoves;
+    }
+    for (size_t i = moves.size(); i-- > first;) {
+      Move& move = moves[i];
+      if (scene.joints[i - first].turn != Turn::kAroundOthers) continue;
+      move.pause = std::max(move.pause, start - move.start - move.opening);
+      start = move.end() + kBetweenMoves;
     }
   }
   return MotionScript(moves);
@@ -97,12 +112,20 @@ GroundTruth SimulatedStereoCamera::truth(int frame) const {
   truth.last = !config_.loop && frame >= frameCount() - 1;
   truth.T_world_camera = cameraPose(truth.time);
   const Eigen::Isometry3d T_camera_world = truth.T_world_camera.inverse();
+  std::vector<double> q;
+  for (size_t i = 0; i < scene_.joints.size(); ++i) q.push_back(script_.q(static_cast<int>(i), script_time));
+  const std::vector<Eigen::Isometry3d> motions = scene_.motionsAt(q);
   for (size_t i = 0; i < scene_.joints.size(); ++i) {
     const Joint& joint = scene_.joints[i];
-    FrontTruth front{joint.name, joint.type, joint.front, {}, {}, script_.q(static_cast<int>(i), script_time), joint.q_max};
-    front.rectangle.pose = T_camera_world * joint.motion(front.q) * joint.front.pose;
-    front.axis = T_camera_world.linear() * joint.axis;
-    front.axis_point = T_camera_world * joint.axis_point;
+    FrontTruth front{joint.name, joint.type, joint.front, {}, {}, q[i], joint.q_max};
+    front.rectangle.pose = T_camera_world * motions[i] * joint.front.pose;
+    Eigen::Isometry3d T_camera_base = T_camera_world;
+    if (joint.parent != kFixedPart) {
+      T_camera_base = T_camera_world * motions[static_cast<size_t>(joint.parent)];
+      front.parent = scene_.joints[static_cast<size_t>(joint.parent)].name;
+    }
+    front.axis = T_camera_base.linear() * joint.axis;
+    front.axis_point = T_camera_base * joint.axis_point;
     truth.joints.push_back(front);
   }
   for (const FixedFront& fixed : scene_.fixed) {
@@ -124,8 +147,8 @@ StereoFrame SimulatedStereoCamera::frame(int frame) {
   const std::optional<HandState> hand = config_.hand ? script_.hand(scriptTime(frame)) : std::nullopt;
   if (hand) {
     constexpr double kWithdrawn = 0.6;  // [m] along the arm, out of the way
-    const Joint& joint = scene_.joints[hand->joint];
-    const Eigen::Vector3d grip = joint.motion(q[hand->joint]) * joint.grip;
+    const auto held = static_cast<size_t>(hand->joint);
+    const Eigen::Vector3d grip = scene_.motionsAt(q)[held] * scene_.joints[held].grip;
     const Eigen::Vector3d to_shoulder = (scene_.shoulder - grip).normalized();
     const std::vector<Surface> arm = makeArm(grip + hand->away * kWithdrawn * to_shoulder, scene_.shoulder);
     surfaces.insert(surfaces.end(), arm.begin(), arm.end());

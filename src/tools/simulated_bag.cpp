@@ -15,7 +15,7 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: simulated_bag SCENE OUT.bag [options]\n"
-    "  SCENE              door, drawer, kitchen, pedestal or static\n"
+    "  SCENE              door, drawer, kitchen, pedestal, bifold, trolley, cupboard or static\n"
     "  --input INPUT      stereo (the default), disparity or depth, as in pipeline.launch; again for a further one\n"
     "  --camera-motion M  how far the camera wanders about its place, in metres (default: 0, it stands)\n"
     "  --first N          begins at this frame of the scene's motion (default: 0)\n"

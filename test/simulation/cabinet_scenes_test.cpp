@@ -37,12 +37,15 @@ TEST(CabinetScenes, HaveTheJointsTheyPromise) {
   EXPECT_EQ(types(scene("drawer")), std::make_pair(1, 0));
   EXPECT_EQ(types(scene("kitchen")), std::make_pair(1, 1));
   EXPECT_EQ(types(scene("pedestal")), std::make_pair(2, 0));
+  EXPECT_EQ(types(scene("bifold")), std::make_pair(0, 2));
+  EXPECT_EQ(types(scene("trolley")), std::make_pair(3, 0));
+  EXPECT_EQ(types(scene("cupboard")), std::make_pair(1, 1));
   EXPECT_EQ(types(scene("static")), std::make_pair(0, 0));
   EXPECT_GE(fronts(scene("static")).size(), 10U);
 }
 
 TEST(CabinetScenes, ClosedFrontsAreFlushWithGapsOfThreeToFourMillimetres) {
-  for (const char* name : {"door", "drawer", "kitchen", "pedestal", "static"}) {
+  for (const char* name : {"door", "drawer", "kitchen", "pedestal", "bifold", "trolley", "static"}) {
     for (int seed = 1; seed <= 5; ++seed) {
       const std::vector<Rectangle> all = fronts(scene(name, seed));
       for (size_t i = 0; i < all.size(); ++i) {
@@ -90,6 +93,37 @@ TEST(CabinetScenes, SizesAreThoseOfRealFrontsAndVaryBySomePerCent) {
     EXPECT_NEAR(drawer.q_max, 0.3, 0.031);
   }
   EXPECT_GT(largest - smallest, 0.01);
+}
+
+TEST(CabinetScenes, HangWhatTheySayOnWhatTheySay) {
+  const auto parents = [](const std::string& name) {
+    std::vector<int> parents;
+    for (const Joint& joint : scene(name).joints) parents.push_back(joint.parent);
+    return parents;
+  };
+  EXPECT_EQ(parents("kitchen"), std::vector<int>({kFixedPart, kFixedPart}));
+  EXPECT_EQ(parents("bifold"), std::vector<int>({kFixedPart, 0}));
+  EXPECT_EQ(parents("trolley"), std::vector<int>({kFixedPart, 0, 0}));
+  EXPECT_EQ(parents("cupboard"), std::vector<int>({kFixedPart, kFixedPart}));
+}
+
+TEST(CabinetScenes, FoldingDoorKeepsItsFarEdgeOnTheRail) {
+  for (int seed = 1; seed <= 5; ++seed) {
+    const Scene bifold = scene("bifold", seed);
+    const Joint &first = bifold.joints[0], &second = bifold.joints[1];
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const Eigen::Isometry3d leaf = bifold.motionsAt({share * first.q_max, share * second.q_max})[1] * second.front.pose;
+      const Eigen::Vector3d edge = leaf * Eigen::Vector3d(second.front.width / 2, 0, 0);
+      EXPECT_NEAR(edge.y(), 0, 0.03) << seed << ": to the thickness of the leaves";
+    }
+  }
+}
+
+TEST(CabinetScenes, TrolleyTakesItsDrawersAlong) {
+  const Scene trolley = scene("trolley");
+  const Eigen::Isometry3d drawer = trolley.motionsAt({0.5, 0.2, 0})[1] * trolley.joints[1].front.pose;
+  const Eigen::Vector3d moved = drawer.translation() - trolley.joints[1].front.center();
+  EXPECT_TRUE(moved.isApprox(Eigen::Vector3d(0.5, -0.2, 0), 1e-12)) << moved.transpose();
 }
 
 TEST(CabinetScenes, SeedAloneDecides) {

@@ -56,7 +56,7 @@ int mostOpenFrame(const SimulatedStereoCamera& camera, size_t joint) {
 }
 
 TEST(SimulatedStereoCamera, DepthAgreesWithThePosesOfTheFronts) {
-  for (const char* scene : {"door", "drawer", "kitchen", "pedestal"}) {
+  for (const char* scene : {"door", "drawer", "kitchen", "pedestal", "bifold", "trolley"}) {
     SimulationConfig config = configOf(scene);
     config.hand = false;
     SimulatedStereoCamera camera(config);
@@ -285,6 +285,35 @@ TEST(SimulatedStereoCamera, RendersAPairInTime) {
   std::cout << "kitchen: " << best << " ms of processor time per pair of 640x480\n";
   // 15 Hz are 67 ms; some 20 ms are usual, several times as much with a sanitizer.
   EXPECT_LT(best, 200);
+}
+
+TEST(SimulatedStereoCamera, TrolleyIsPushedBeforeItsDrawersOpenAndReturnsWhenTheyAreClosed) {
+  SimulatedStereoCamera camera(configOf("trolley"));
+  const Eigen::Isometry3d T_camera_world = camera.truth(0).T_world_camera.inverse();
+  bool opened = false;
+  for (int i = 0; i < camera.frameCount(); ++i) {
+    const std::vector<FrontTruth> joints = camera.truth(i).joints;
+    EXPECT_EQ(joints[0].parent, "");
+    EXPECT_EQ(joints[1].parent, "face");
+    if (joints[1].q > 0 || joints[2].q > 0) EXPECT_NEAR(joints[0].q, 0.5, 1e-9) << i;
+    EXPECT_TRUE(joints[1].q == 0 || joints[2].q == 0) << i;
+    opened = opened || joints[2].q > 0.2;
+    EXPECT_TRUE(joints[0].axis.isApprox(T_camera_world.linear() * Eigen::Vector3d::UnitX(), 1e-9));
+  }
+  EXPECT_TRUE(opened);
+  EXPECT_EQ(camera.truth(camera.frameCount() - 1).joints[0].q, 0);
+}
+
+TEST(SimulatedStereoCamera, FoldingDoorTellsItsAxesWhereTheyAreNow) {
+  SimulatedStereoCamera camera(configOf("bifold"));
+  const GroundTruth closed = camera.truth(0), open = camera.truth(mostOpenFrame(camera, 0));
+  EXPECT_TRUE(open.joints[0].axis_point.isApprox(closed.joints[0].axis_point, 1e-9));
+  // The fold comes towards the camera, and stays at the second leaf's edge.
+  EXPECT_GT((open.joints[1].axis_point - closed.joints[1].axis_point).norm(), 0.2);
+  for (const GroundTruth& truth : {closed, open}) {
+    const Rectangle& leaf = truth.joints[1].rectangle;
+    EXPECT_LT((leaf.pose * Eigen::Vector3d(-leaf.width / 2, 0, 0) - truth.joints[1].axis_point).norm(), 0.025);
+  }
 }
 
 }  // namespace

@@ -18,7 +18,14 @@ struct Surface {
   int part = kFixedPart;  ///< index of the joint that carries it
 };
 
-/// One front that can move. Everything in the world frame and closed (q = 0).
+/// When a joint moves in a scene's script.
+enum class Turn {
+  kAlone,         ///< opens and closes after the joints before it
+  kWithPrevious,  ///< together with the joint before it
+  kAroundOthers   ///< stays open until the joints after it are done
+};
+
+/// One front that can move. Everything in the world frame and closed (q = 0), that of what carries it included.
 struct Joint {
   std::string name;
   JointType type = JointType::kRigid;
@@ -27,8 +34,10 @@ struct Joint {
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();  ///< the axis' point nearest to the front's centre
   double q_max = 0;                                      ///< [m or rad]
   Eigen::Vector3d grip = Eigen::Vector3d::Zero();        ///< where a hand holds it
+  int parent = kFixedPart;                               ///< index of the joint that carries it, which comes before it
+  Turn turn = Turn::kAlone;
 
-  /// Eq. (8): moves what is attached to the joint from closed to q, in the world frame.
+  /// Eq. (8): moves what is attached to the joint from closed to q, in the world frame, while what carries it is closed.
   Eigen::Isometry3d motion(double q) const;
 };
 
@@ -48,7 +57,10 @@ struct Scene {
   Eigen::Vector3d view_target = Eigen::Vector3d(0, 0, 0.5);  ///< what the camera looks at
   Eigen::Vector3d shoulder = Eigen::Vector3d(0.5, -1, 1.3);  ///< of the person whose hand moves the fronts
 
-  /// All surfaces in the world frame with the joints at `q` (one value per joint).
+  /// How each joint moves what is attached to it from closed to `q` (one value per joint), in the world frame.
+  std::vector<Eigen::Isometry3d> motionsAt(const std::vector<double>& q) const;
+
+  /// All surfaces in the world frame with the joints at `q`.
   std::vector<Surface> surfacesAt(const std::vector<double>& q) const;
 };
 

@@ -18,10 +18,11 @@ struct FrontTruth {
   std::string name;
   JointType type = JointType::kRigid;
   Rectangle rectangle;                                   ///< x along the width, y up along the height, z outward
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();        ///< as ArticulationModel.axis; zero if rigid
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();        ///< as ArticulationModel.axis, now; zero if rigid
   Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();  ///< a point on the axis (rotational)
   double q = 0;                                          ///< [m or rad] 0 = closed
   double q_max = 0;
+  std::string parent = {};  ///< name of the front that carries it; empty: the world
 };
 
 struct GroundTruth {

@@ -38,7 +38,8 @@ struct SimulationConfig {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit("scene", self.scene, Choices{"door", "drawer", "kitchen", "pedestal", "static"}, "what stands in front of the camera");
+    visit("scene", self.scene, Choices{"door", "drawer", "kitchen", "pedestal", "bifold", "trolley", "cupboard", "static"},
+          "what stands in front of the camera");
     visit("scene_seed", self.scene_seed, Range{0, 1e6}, "", "varies sizes, view, materials and speeds by some per cent");
     visit("hinge", self.hinge, Choices{"left", "right"}, "side of the door's hinge, seen from the room");
     visit("hand", self.hand, "an arm and a hand in front of the handle of what moves");
