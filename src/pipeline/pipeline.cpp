@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "cabinet_articulation/joints/hanging.h"
+#include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
 #include "geometry/message_precision.h"
 #include "pipeline/as_sent.h"
@@ -45,7 +47,8 @@ Pipeline::Pipeline(const PipelineConfig& config)
       rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
       articulation_(config.articulation),
-      closed_(std::make_unique<ClosedFinder>()) {}
+      closed_(std::make_unique<ClosedFinder>()),
+      structure_(std::make_unique<StructureFinder>(config.articulation)) {}
 
 Pipeline::~Pipeline() = default;
 
@@ -78,6 +81,7 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
     std::vector<LearnedModel> models = articulation_.process(known_.tracks());
     closed_->see(result.view);
     closed_->complete(&models);
+    structure_->complete(known_.tracks(), &models);
     known_.update(models);
     return models;
   });
@@ -94,6 +98,7 @@ void Pipeline::reset() {
   joints_are_new_ = joints_are_due_ = false;
   articulation_.reset();
   closed_->reset();
+  structure_->reset();
 }
 
 void Pipeline::startAfresh() {
@@ -108,9 +113,11 @@ void Pipeline::startAfresh() {
   joints_are_new_ = true;
   known_.replace(joints);
   articulation_.reset();
-  articulation_.remember(models);
+  articulation_.remember(thoseOfTheWorld(models));
   closed_->reset();
-  closed_->remember(models);
+  closed_->remember(thoseOfTheWorld(models));
+  structure_->reset();
+  structure_->remember(models);
 }
 
 /// It knows nothing else then.

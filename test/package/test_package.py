@@ -27,7 +27,8 @@ LAYERS = {
     'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
     'kinds': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
     'closing': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints'},
-    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints', 'closing'},
+    'structure': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints', 'closing'},
+    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints', 'closing', 'structure'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
 # Numbers that somebody chose (count_numbers.py): constants, other literals, defaults of settings. Lower them with the code.

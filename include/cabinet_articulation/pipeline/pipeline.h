@@ -19,6 +19,7 @@
 namespace cabinet_articulation::core {
 
 class ClosedFinder;
+class StructureFinder;
 
 /// The settings of all five stages.
 struct PipelineConfig {
@@ -94,6 +95,7 @@ class Pipeline {
   bool joints_are_due_ = false;  ///< to be told now
   ArticulationLearner articulation_;
   std::unique_ptr<ClosedFinder> closed_;
+  std::unique_ptr<StructureFinder> structure_;
 };
 
 /// Where fronts are expected at `stamp` [s], in the camera's frame, for the detector.

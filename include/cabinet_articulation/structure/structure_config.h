@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cabinet_articulation/config/config.h"
+
+namespace cabinet_articulation::core {
+
+/// What is believed of fronts that hang on others, before any is seen to.
+struct StructureConfig {
+  double hanging_odds = 1e-3;
+  double near = 0.3;
+  double pause = 0.5;
+  double margin = 0.02;
+  int most_pairs = 200;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("hanging_odds", self.hanging_odds, Range{1e-9, 1}, "",
+          "odds beforehand that a front hangs on a certain other one rather than on the world (ours: one pair of a thousand)");
+    visit("near", self.near, Range{0, 10}, "m",
+          "widest gap between a front and what it hangs on (furniture: leaves touch, racks hang within a hand's breadth)");
+    visit("pause", self.pause, Range{0, 10}, "s",
+          "between two observations of a front that are not farther apart it is where they say, as it is while it rests (ours)");
+    visit("margin", self.margin, Range{0, 0.5}, "m",
+          "by which a closed front may stick out of the one that it was seen as a part of (ours: the noise of edges, twice)");
+    visit("most_pairs", self.most_pairs, Range{1, 100000}, "", "pairs of fronts that are looked at (ours: 14 fronts that move)");
+  }
+};
+
+}  // namespace cabinet_articulation::core

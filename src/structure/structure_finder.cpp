@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/structure/structure_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/joint.h"
+#include "structure/front_pairs.h"
+#include "structure/hanging_front.h"
+
+namespace cabinet_articulation::core {
+
+struct StructureFinder::State {
+  State(const ArticulationConfig& articulation, const StructureConfig& structure)
+      : pairs(articulation, structure), relative(articulation) {}
+
+  FrontPairs pairs;
+  std::map<std::uint32_t, HangingFront> hanging;  ///< by the child's id
+  ArticulationLearner relative;                   ///< of joints in the frames of what they hang on
+};
+
+namespace {
+
+const Track* trackOf(std::uint32_t id, const std::vector<Track>& tracks) {
+  const auto found = std::find_if(tracks.begin(), tracks.end(), [id](const Track& track) { return track.id == id; });
+  return found == tracks.end() ? nullptr : &*found;
+}
+
+const LearnedModel* modelOf(std::uint32_t id, const std::vector<LearnedModel>& models) {
+  const auto found = std::find_if(models.begin(), models.end(), [id](const LearnedModel& model) { return model.id == id; });
+  return found == models.end() ? nullptr : &*found;
+}
+
+bool isParent(std::uint32_t id, const std::map<std::uint32_t, HangingFront>& hanging) {
+  return std::any_of(hanging.begin(), hanging.end(), [id](const auto& entry) { return entry.second.parent() == id; });
+}
+
+/// The clearest first. What carries another hangs on the world, so that there is no cycle.
+void hangUp(const std::vector<LikelyEdge>& edges, double pause, std::map<std::uint32_t, HangingFront>* hanging) {
+  for (const LikelyEdge& edge : edges) {
+    const auto known = hanging->find(edge.child);
+    if (known != hanging->end()) {
+      if (known->second.parent() == edge.parent) known->second.setProbability(edge.probability);
+      continue;
+    }
+    if (hanging->count(edge.parent) > 0 || isParent(edge.child, *hanging)) continue;
+    hanging->emplace(edge.child, HangingFront(edge.parent, edge.probability, pause));
+  }
+}
+
+}  // namespace
+
+StructureFinder::StructureFinder(const ArticulationConfig& config, const StructureConfig& structure)
+    : config_(config), structure_(structure), state_(std::make_unique<State>(config, structure)) {
+  checkConfig(structure);
+}
+
+StructureFinder::~StructureFinder() = default;
+
+void StructureFinder::complete(const std::vector<Track>& tracks, std::vector<LearnedModel>* models) {
+  std::map<std::uint32_t, HangingFront>& hanging = state_->hanging;
+  state_->pairs.update(tracks, *models);
+  for (const std::uint32_t child : state_->pairs.refuted()) hanging.erase(child);
+  hangUp(state_->pairs.edges(), structure_.pause, &hanging);
+  std::vector<Track> relative;
+  for (auto& [id, front] : hanging) {
+    const Track *track = trackOf(id, tracks), *carrier = trackOf(front.parent(), tracks);
+    const LearnedModel* joint = modelOf(front.parent(), *models);
+    if (track != nullptr && carrier != nullptr && joint != nullptr) front.follow(*track, *carrier, *joint);
+    if (track != nullptr && !front.seen().observations.empty()) relative.push_back(front.seen());
+  }
+  for (const LearnedModel& model : state_->relative.process(relative)) hanging.at(model.id).learn(model);
+  for (LearnedModel& model : *models) {
+    const auto front = hanging.find(model.id);
+    if (front == hanging.end()) continue;
+    if (isGivenUp(front->second.joint()))
+      hanging.erase(front);
+    else if (isJoint(front->second.joint()))
+      model = front->second.describe(state_->pairs.ratio(model.id, front->second.parent()));
+  }
+}
+
+void StructureFinder::remember(const std::vector<LearnedModel>& joints) {
+  std::vector<LearnedModel> relative;
+  for (const LearnedModel& joint : joints) {
+    state_->hanging.erase(joint.id);
+    if (joint.parent == 0) continue;
+    HangingFront front(joint.parent, joint.parent_probability, structure_.pause);
+    front.learn(joint);
+    state_->hanging.emplace(joint.id, std::move(front));
+    relative.push_back(joint);
+  }
+  state_->relative.remember(relative);
+}
+
+void StructureFinder::forget(std::uint32_t id) {
+  state_->pairs.forget(id);
+  state_->relative.forget(id);
+  state_->hanging.erase(id);
+  for (auto front = state_->hanging.begin(); front != state_->hanging.end();) {
+    if (front->second.parent() == id) {
+      state_->relative.forget(front->first);
+      front = state_->hanging.erase(front);
+    } else {
+      ++front;
+    }
+  }
+}
+
+void StructureFinder::reset() { state_ = std::make_unique<State>(config_, structure_); }
+
+const std::vector<CoupledFronts>& StructureFinder::coupled() const { return state_->pairs.coupled(); }
+
+}  // namespace cabinet_articulation::core
