@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -101,18 +102,50 @@ std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < known.size(); ++i)
     for (std::size_t j = 0; j < file.size(); ++j) {
-      const std::optional<double> distance = samePlace(known[i].model, file[j].model);
+      const bool hangs_elsewhere_now = known[i].model.parent != file[j].model.parent && continues(known[i], file[j]);
+      const std::optional<double> distance =
+          hangs_elsewhere_now ? std::optional<double>(0) : samePlace(known[i].model, file[j].model);
       if (distance) pairs.emplace_back(known[i].model.id == file[j].model.id ? -1 : *distance, i, j);
     }
-  std::sort(pairs.begin(), pairs.end());
+  // Parents come before what hangs on them.
+  std::stable_sort(pairs.begin(), pairs.end());
+  std::stable_partition(pairs.begin(), pairs.end(), [&](const auto& pair) { return known[std::get<1>(pair)].model.parent == 0; });
   std::vector<int> partner(known.size(), -1);
   std::vector<bool> taken(file.size(), false);
+  const auto have_one_parent = [&](const LearnedModel& now, const LearnedModel& before) {
+    if (now.parent == 0 || before.parent == 0) return true;
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (known[i].model.id == now.parent)
+        return partner[i] >= 0 && file[static_cast<std::size_t>(partner[i])].model.id == before.parent;
+    return false;
+  };
   for (const auto& [distance, i, j] : pairs) {
-    if (partner[i] >= 0 || taken[j]) continue;
+    if (partner[i] >= 0 || taken[j] || !have_one_parent(known[i].model, file[j].model)) continue;
     partner[i] = static_cast<int>(j);
     taken[j] = true;
   }
   return partner;
+}
+
+/// Nobody could place it.
+void removeWhatHangsOnNothing(std::vector<KnownFront>* fronts) {
+  const auto has_no_parent = [&](const KnownFront& front) {
+    const auto is_parent = [&](const KnownFront& other) { return other.model.id == front.model.parent; };
+    return front.model.parent != 0 && std::none_of(fronts->begin(), fronts->end(), is_parent);
+  };
+  for (std::size_t before = fronts->size() + 1; before > fronts->size();) {
+    before = fronts->size();
+    std::vector<KnownFront> left;
+    std::remove_copy_if(fronts->begin(), fronts->end(), std::back_inserter(left), has_no_parent);
+    fronts->swap(left);
+  }
+}
+
+std::set<std::uint32_t> idsOfNamed(const std::vector<KnownFront>& fronts) {
+  std::set<std::uint32_t> ids;
+  for (const KnownFront& front : fronts)
+    if (!front.model.name.empty()) ids.insert(front.model.id);
+  return ids;
 }
 
 }  // namespace
@@ -120,6 +153,7 @@ std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<
 double beyondSeen(const LearnedModel& model) { return modelEntry(model.type).unit == ConfigurationUnit::kRadian ? 0.3 : 0.1; }
 
 std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b) {
+  if ((a.parent == 0) != (b.parent == 0)) return std::nullopt;
   const std::optional<double> forth = distanceToWay(a, b), back = distanceToWay(b, a);
   if (!forth || !back) return forth ? forth : back;
   return std::min(*forth, *back);
@@ -149,23 +183,27 @@ MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> 
                        [&](const LearnedModel& model) { return samePlace(model, front.model).has_value(); });
   };
   file.erase(std::remove_if(file.begin(), file.end(), is_removed), file.end());
+  removeWhatHangsOnNothing(&file);
   MergedFronts merged;
   std::vector<std::uint32_t> taken;
   merged.known_changes = giveFreeIds(&known, &taken);
   const std::vector<int> partner = pairUp(known, file);
   std::vector<bool> paired(file.size(), false);
-  std::set<std::uint32_t> named_now;
-  for (const KnownFront& front : known)
-    if (!front.model.name.empty()) named_now.insert(front.model.id);
+  const std::set<std::uint32_t> named_now = idsOfNamed(known);
+  std::map<std::uint32_t, std::uint32_t> new_ids;  // of the file's fronts
+  for (const KnownFront& front : file) new_ids[front.model.id] = front.model.id;
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (partner[i] < 0) continue;
     KnownFront& other = file[static_cast<std::size_t>(partner[i])];
     paired[static_cast<std::size_t>(partner[i])] = true;
     const std::uint32_t id = known[i].model.id;
+    new_ids[other.model.id] = id;
     const std::string name = known[i].model.name.empty() ? other.model.name : known[i].model.name;
     if (isMuchPoorer(known[i], other)) {
+      const std::uint32_t parent = known[i].model.parent;
       known[i] = std::move(other);
       setId(id, &known[i]);
+      known[i].model.parent = parent;
       ++merged.from_file;
     }
     setName(name, &known[i]);
@@ -174,9 +212,13 @@ MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> 
   for (std::size_t j = 0; j < file.size(); ++j)
     if (!paired[j]) others.push_back(std::move(file[j]));
   merged.changes = giveFreeIds(&others, &taken);
+  for (const IdChange& change : merged.changes) new_ids[change.from] = change.to;
+  for (KnownFront& front : others)
+    if (front.model.parent != 0) front.model.parent = new_ids.at(front.model.parent);
   merged.from_file += others.size();
   merged.fronts = std::move(known);
   std::move(others.begin(), others.end(), std::back_inserter(merged.fronts));
+  removeWhatHangsOnNothing(&merged.fronts);
   std::sort(merged.fronts.begin(), merged.fronts.end(),
             [](const KnownFront& a, const KnownFront& b) { return a.model.id < b.model.id; });
   merged.renamed = makeNamesUnique(&merged.fronts, named_now);

@@ -61,19 +61,30 @@ Eigen::Isometry3d frameOf(const LearnedModel& model, const std::vector<LearnedMo
   return T;
 }
 
+bool hangsOnKnown(const LearnedModel& model, const std::vector<LearnedModel>& all) {
+  if (model.parent == 0) return true;
+  try {
+    frameOf(model, all);
+    return true;
+  } catch (const ModelError&) {
+    return false;
+  }
+}
+
+std::vector<LearnedModel> thoseOnKnown(const std::vector<LearnedModel>& models) {
+  std::vector<LearnedModel> result;
+  std::copy_if(models.begin(), models.end(), std::back_inserter(result),
+               [&](const LearnedModel& model) { return hangsOnKnown(model, models); });
+  return result;
+}
+
 LearnedModel placed(const LearnedModel& model, const std::vector<LearnedModel>& all) {
   return model.parent == 0 ? model : transformed(model, frameOf(model, all));
 }
 
 std::vector<LearnedModel> allPlaced(const std::vector<LearnedModel>& models) {
-  std::vector<LearnedModel> result;
-  for (const LearnedModel& model : models) {
-    try {
-      result.push_back(placed(model, models));
-    } catch (const ModelError&) {
-      continue;  // its place is not known
-    }
-  }
+  std::vector<LearnedModel> result = thoseOnKnown(models);
+  for (LearnedModel& model : result) model = placed(model, models);
   return result;
 }
 

@@ -26,6 +26,12 @@ bool isWorthKeeping(const LearnedModel& model) {
 
 }  // namespace
 
+std::vector<LearnedModel> modelsOf(const std::vector<KnownFront>& fronts) {
+  std::vector<LearnedModel> models;
+  for (const KnownFront& front : fronts) models.push_back(front.model);
+  return models;
+}
+
 std::string inWords(const std::vector<IdChange>& changes) {
   std::string text;
   for (const IdChange& change : changes)

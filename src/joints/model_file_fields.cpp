@@ -111,6 +111,14 @@ void readJoint(const YAML::Node& node, LearnedModel* model) {
   model->covariance = covariance(numbers(node["covariance"], "covariance", kTriangle).data());
 }
 
+/// Those of the world do without, as older files.
+void readParent(const YAML::Node& node, LearnedModel* model) {
+  if (!node["parent"]) return;
+  model->parent = count(node["parent"], "parent", kLargestId);
+  if (node["parent_probability"])
+    model->parent_probability = within(node["parent_probability"], "parent_probability", limits::kProbability);
+}
+
 void readRange(const YAML::Node& node, LearnedModel* model) {
   model->q = within(node["q"], "q", limits::kConfiguration);
   model->q_min = within(node["q_min"], "q_min", limits::kConfiguration);
@@ -157,6 +165,10 @@ YAML::Node toYaml(const KnownFront& front) {
   YAML::Node node;
   node["id"] = model.id;
   if (!model.name.empty()) node["name"] = model.name;
+  if (model.parent != 0) {
+    node["parent"] = model.parent;
+    node["parent_probability"] = toText(model.parent_probability);
+  }
   node["type"] = modelName(model.type);
   node["stamp"] = toText(stampToWrite(model.stamp));
   node["support"] = toText(model.support);
@@ -195,6 +207,7 @@ KnownFront frontFromYaml(const YAML::Node& node) {
   model.name = nameFromYaml(node["name"], model.id);
   model.moved = model.explained = true;
   model.stamp = checkedStamp(number(node["stamp"], "stamp"), "stamp");
+  readParent(node, &model);
   readJoint(node, &model);
   readRange(node, &model);
   model.width = side(node["width"], "width");

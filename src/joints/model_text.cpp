@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joints/model_text.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "joints/front_merge.h"
 #include "joints/model_file_fields.h"
 #include "tracking/history.h"
@@ -15,13 +17,15 @@ constexpr char kTitle[] = "# Doors and drawers that were learned.";
 constexpr char kFormat[] = "cabinet_articulation models";
 constexpr char kEnd[] = "complete";  ///< the last key, so that a file that was cut off is noticed
 constexpr int kVersion = 1;
+constexpr int kVersionWithParents = 2;  ///< programs that know no parents must not place what hangs on one
 
 void checkHead(const YAML::Node& root) {
   if (!root.IsMap() || !root["format"] || !root["format"].IsScalar() || root["format"].Scalar() != kFormat)
     throw std::runtime_error("holds no models of this program");
   const std::string version = root["version"] && root["version"].IsScalar() ? root["version"].Scalar() : "missing";
-  if (version != std::to_string(kVersion))
-    throw std::runtime_error("its version is " + version + ", this program reads version " + std::to_string(kVersion));
+  if (version != std::to_string(kVersion) && version != std::to_string(kVersionWithParents))
+    throw std::runtime_error("its version is " + version + ", this program reads the versions " + std::to_string(kVersion) +
+                             " and " + std::to_string(kVersionWithParents));
   if (!root[kEnd]) throw std::runtime_error("is cut off: its last line is missing");
   if (!root["frame"] || !root["frame"].IsScalar() || !root["fronts"] || !root["fronts"].IsSequence())
     throw std::runtime_error("'frame' or 'fronts' is missing");
@@ -32,7 +36,9 @@ void checkHead(const YAML::Node& root) {
 std::string toText(const ModelFile& models) {
   YAML::Node root;
   root["format"] = kFormat;
-  root["version"] = kVersion;
+  const bool has_parents =
+      std::any_of(models.fronts.begin(), models.fronts.end(), [](const KnownFront& front) { return front.model.parent != 0; });
+  root["version"] = has_parents ? kVersionWithParents : kVersion;
   root["frame"] = models.frame;
   root["fronts"] = YAML::Node(YAML::NodeType::Sequence);
   for (KnownFront front : models.fronts) {
@@ -62,6 +68,7 @@ ModelFile modelsFromText(const std::string& text) {
       throw std::runtime_error("front " + std::to_string(i + 1) + ": " + error.what());
     }
   }
+  requireNoCycle(modelsOf(models.fronts));
   std::vector<std::uint32_t> taken;
   models.changes = giveFreeIds(&models.fronts, &taken);
   return models;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "articulation/models/model_registry.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "joints/furniture.h"
 #include "joints/urdf_document.h"
 
@@ -106,6 +107,11 @@ class Description {
     return {name, T_frame_body};
   }
 
+  /// The front that another one hangs on. Poses of the latter are in its frame.
+  Body frontOf(const LearnedModel& hanging) const {
+    return {prefix_ + "_" + std::to_string(hanging.parent) + "_front", Eigen::Isometry3d::Identity()};
+  }
+
   /// What joints hang on that share no body.
   Body room() const { return {frame_, Eigen::Isometry3d::Identity()}; }
 
@@ -199,9 +205,16 @@ std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& f
       throw ModelError("front " + std::to_string(model.id) + " is " + modelName(model.type) +
                        ", and URDF has only prismatic and rotational joints");
   }
-  for (const PieceOfFurniture& piece : piecesOfFurniture(models)) {
-    const Body body = piece.fronts.size() > 1 ? description.addBody(models[piece.fronts.front()], piece) : description.room();
-    for (const std::size_t front : piece.fronts) description.add(models[front], body);
+  const std::vector<LearnedModel> of_the_world = thoseOfTheWorld(models);
+  for (const PieceOfFurniture& piece : piecesOfFurniture(of_the_world)) {
+    const Body body =
+        piece.fronts.size() > 1 ? description.addBody(of_the_world[piece.fronts.front()], piece) : description.room();
+    for (const std::size_t front : piece.fronts) description.add(of_the_world[front], body);
+  }
+  for (const LearnedModel& model : models) {
+    if (model.parent == 0) continue;
+    frameOf(model, models);  // throws for a parent that is not there
+    description.add(model, description.frontOf(model));
   }
   return description.text();
 }

@@ -7,7 +7,9 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
 #include "nodelets/callback_threads.h"
 #include "nodelets/model_services.h"
@@ -29,15 +31,17 @@ class ArticulationStage : public StageNodelet {
     ModelFileConfig file;
     loadSettings(config, file, output_);
     learner_ = std::make_unique<core::ArticulationLearner>(config);
+    structure_ = std::make_unique<core::StructureFinder>(config);
     const auto start_from = [this](const std::vector<core::LearnedModel>& joints) {
       learner_->reset();
-      learner_->remember(joints);
       closed_.reset();
-      closed_.remember(joints);
+      structure_->reset();
+      remember(joints);
     };
     const auto forget = [this](std::uint32_t id) {
       learner_->forget(id);
       closed_.forget(id);
+      structure_->forget(id);
     };
     const StoreCalls calls{start_from, forget, [this] { health().setLasting("models_file", ""); }};
     getMTNodeHandle().setCallbackQueue(requests_.queue());
@@ -49,8 +53,9 @@ class ArticulationStage : public StageNodelet {
     offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
       auto learner = std::make_unique<core::ArticulationLearner>(tuned);
-      learner->remember(store_->jointModels());
+      structure_ = std::make_unique<core::StructureFinder>(tuned);
       learner_ = std::move(learner);
+      remember(store_->jointModels());
       services_->setConfig(tuned);
     });
     require(&tracks_topic_);
@@ -150,6 +155,8 @@ class ArticulationStage : public StageNodelet {
   void learn(const std_msgs::Header& header) {
     std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
     closed_.complete(&models);
+    structure_->complete(store_->tracks(), &models);
+    noteStructure(models);
     health().note("models", static_cast<double>(models.size()));
     health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
     store_->update(&models);
@@ -158,6 +165,25 @@ class ArticulationStage : public StageNodelet {
     if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
     broadcast(joints, header);
     publish(models_, toMessage(models, header));
+  }
+
+  void remember(const std::vector<core::LearnedModel>& joints) {
+    const std::vector<core::LearnedModel> of_the_world = core::thoseOfTheWorld(joints);
+    learner_->remember(of_the_world);
+    closed_.remember(of_the_world);
+    structure_->remember(joints);
+  }
+
+  /// Says once what fronts have one degree of freedom.
+  void noteStructure(const std::vector<core::LearnedModel>& models) {
+    const auto hangs = [](const core::LearnedModel& model) { return model.parent != 0; };
+    health().note("hanging", static_cast<double>(std::count_if(models.begin(), models.end(), hangs)));
+    health().note("coupled", static_cast<double>(structure_->coupled().size()));
+    if (structure_->coupled().size() <= coupled_told_) return;
+    coupled_told_ = structure_->coupled().size();
+    for (const core::CoupledFronts& fronts : structure_->coupled())
+      NODELET_INFO("%s: fronts %u and %u have one degree of freedom: the second's q grows by %.2f with the first's",
+                   getName().c_str(), fronts.first, fronts.second, fronts.ratio);
   }
 
   /// As joint states and frames count.
@@ -178,6 +204,8 @@ class ArticulationStage : public StageNodelet {
   CallbackThreads requests_;                 ///< outlives the services
   std::unique_ptr<core::ArticulationLearner> learner_;
   core::ClosedFinder closed_;
+  std::unique_ptr<core::StructureFinder> structure_;
+  std::size_t coupled_told_ = 0;
   std::unique_ptr<ModelStore> store_;
   std::unique_ptr<ModelServices> services_;
   FrameOutputConfig output_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cabinet_articulation/geometry/limits.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/prediction.h"
 #include "cabinet_articulation/joints/urdf.h"
 #include "cabinet_articulation/ros/conversions.h"
@@ -75,7 +76,7 @@ core::LearnedModel ModelServices::modelOf(std::uint32_t id, std_msgs::Header* he
   const core::LearnedModel model = store_.modelOf(id, &header->frame_id);
   core::requireJoint(model);
   header->stamp = toStamp(model.stamp);
-  return model;
+  return model.parent == 0 ? model : core::placed(model, store_.jointModels());
 }
 
 void ModelServices::predict(const Predict::Request& request, Predict::Response* response) {
@@ -138,6 +139,7 @@ void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::R
   if (request.ids.empty())
     for (const core::LearnedModel& model : store_.jointModels(&frame_id))
       if (core::hasUrdf(model)) models.push_back(model);
+  if (request.ids.empty()) models = core::thoseOnKnown(models);
   if (from_closed_ && !request.ids.empty()) std::for_each(models.begin(), models.end(), core::requireClosed);
   if (from_closed_) models = core::allCountedFromClosed(models);
   if (models.empty())

@@ -14,12 +14,6 @@ namespace {
 
 std::uint32_t idAfter(std::uint32_t id) { return id == std::numeric_limits<std::uint32_t>::max() ? id : id + 1; }
 
-std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fronts) {
-  std::vector<core::LearnedModel> models;
-  for (const core::KnownFront& front : fronts) models.push_back(front.model);
-  return models;
-}
-
 }  // namespace
 
 ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, StoreCalls calls, const CallbackGuard& guard)

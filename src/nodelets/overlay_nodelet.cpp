@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pluginlib/class_list_macros.hpp>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "nodelets/stage_nodelet.h"
@@ -90,7 +91,7 @@ class OverlayStage : public StageNodelet {
       std::vector<core::LearnedModel> models;
       std::string left_out;
       if (input.rectangles) rectangles = rectangles_topic_.decode(*input.rectangles);
-      if (input.models) models = usableModels(*input.models, &left_out);
+      if (input.models) models = core::allPlaced(usableModels(*input.models, &left_out));
       if (!left_out.empty()) trouble("models", models_topic_.topic() + ": " + left_out + "; it is left out");
       if (markers_.getNumSubscribers() > 0) publishMarkers(input, rectangles, models);
       if (overlay_.getNumSubscribers() > 0 && input.image && input.info) publishOverlay(input, rectangles, models);

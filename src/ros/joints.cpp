@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "geometry/message_precision.h"
 
@@ -38,11 +39,12 @@ std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<c
                                                              const std_msgs::Header& header, const std::string& prefix) {
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const core::LearnedModel& model : models) {
-    if (!isJoint(model)) continue;
+    if (!isJoint(model) || !core::hangsOnKnown(model, models)) continue;
     const std::string name = prefix + "_" + std::to_string(model.id);
-    const Eigen::Isometry3d T_fixed_base = jointBase(model);
-    transforms.push_back(transform(T_fixed_base, header, header.frame_id, name + "_base"));
-    transforms.push_back(transform(T_fixed_base.inverse() * model.predict(model.q), header, name + "_base", name + "_front"));
+    const std::string parent = model.parent == 0 ? header.frame_id : prefix + "_" + std::to_string(model.parent) + "_front";
+    const Eigen::Isometry3d T_parent_base = jointBase(model);
+    transforms.push_back(transform(T_parent_base, header, parent, name + "_base"));
+    transforms.push_back(transform(T_parent_base.inverse() * model.predict(model.q), header, name + "_base", name + "_front"));
     if (!model.name.empty())
       transforms.push_back(transform(Eigen::Isometry3d::Identity(), header, name + "_front", prefix + "_" + model.name));
   }

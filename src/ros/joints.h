@@ -17,8 +17,9 @@ namespace cabinet_articulation {
 /// The namespace of the nodelets as the first part of frame names: "/robot/cabinet" gives "robot_cabinet".
 std::string jointPrefix(const std::string& ros_namespace);
 
-/// For every joint <prefix>_<id>_base in header.frame_id and <prefix>_<id>_front (the front at its q) in the base. One with a
-/// name has that front a second time, as <prefix>_<name>.
+/// For every joint <prefix>_<id>_base in header.frame_id, or in the front that it hangs on, and <prefix>_<id>_front (the front at
+/// its q) in the base. One with a name has that front a second time, as <prefix>_<name>. Nothing of what hangs on a front that is
+/// not among the joints.
 std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<core::LearnedModel>& models,
                                                              const std_msgs::Header& header, const std::string& prefix);
 

@@ -67,16 +67,4 @@ std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model) {
   return fronts;
 }
 
-core::LearnedModel transformed(const core::LearnedModel& model, const Eigen::Isometry3d& T_target_source) {
-  core::LearnedModel result = model;
-  result.origin = T_target_source * model.origin;
-  result.axis = T_target_source.linear() * model.axis;
-  result.axis_point = T_target_source * model.axis_point;
-  for (Eigen::Isometry3d& pose : result.curve) pose = T_target_source * pose;
-  core::Matrix6d turn = core::Matrix6d::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_target_source.linear();
-  result.covariance = turn * model.covariance * turn.transpose();
-  return result;
-}
-
 }  // namespace cabinet_articulation

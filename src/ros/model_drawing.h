@@ -41,7 +41,4 @@ std::vector<Eigen::Vector3d> wayOf(const core::LearnedModel& model, double from,
 /// Fronts over the range that was seen, q_min and q_max included; nothing for what is no joint.
 std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model);
 
-/// The model seen from another frame. The covariance is turned with it.
-core::LearnedModel transformed(const core::LearnedModel& model, const Eigen::Isometry3d& T_target_source);
-
 }  // namespace cabinet_articulation

@@ -133,13 +133,14 @@ void CabinetBuilder::addSecondLeaf(const std::string& name, const Slot& slot, do
   scene_->joints.push_back(joint);
 }
 
-void CabinetBuilder::addPushedFront(const std::string& name, const Slot& slot, double travel, const Vector3d& grip) {
+void CabinetBuilder::addPushedFace(const std::string& name, const Slot& slot, const Slot& board, double travel,
+                                   const Vector3d& grip) {
   Joint joint = jointOf(name, JointType::kPrismatic, slot);
   joint.axis = Vector3d::UnitX();
   joint.q_max = travel;
   joint.grip = grip;
   joint.turn = Turn::kAroundOthers;
-  addBox(frontBox(slot), materials_.front, nextPart(), &scene_->surfaces);
+  addBox(frontBox(board), materials_.front, nextPart(), &scene_->surfaces);
   scene_->joints.push_back(joint);
 }
 

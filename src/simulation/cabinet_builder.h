@@ -41,8 +41,9 @@ class CabinetBuilder {
   /// The second leaf of a folding door, to the right of the one it hangs on. Their backs come together as it opens.
   void addSecondLeaf(const std::string& name, const Slot& slot, double q_max);
 
-  /// The front of something that is pushed along x, and held at `grip`.
-  void addPushedFront(const std::string& name, const Slot& slot, double travel, const Eigen::Vector3d& grip);
+  /// The face of something that is pushed along x, and held at `grip`. Fronts that hang on it may fill a part of it; its own
+  /// board is in `board`.
+  void addPushedFace(const std::string& name, const Slot& slot, const Slot& board, double travel, const Eigen::Vector3d& grip);
 
   /// Side boards, bottom, top rail and back behind the slot, so that one looks into something when a front is open.
   void addCarcass(const Slot& slot, double depth);

@@ -49,10 +49,11 @@ Scene makeTrolley(cv::RNG* random) {
   const double x0 = -(width + kTravel) / 2, x1 = x0 + width;
   const double face = bottom + random->uniform(0.26, 0.29), middle = face + random->uniform(0.15, 0.17);
   const double top = middle + random->uniform(0.14, 0.16);
-  builder.addPushedFront("face", {x0, x1, bottom, face}, kTravel, {(x0 + x1) / 2, 0.05, top + kTopThickness});
+  builder.addPushedFace("face", {x0, x1, bottom, top}, {x0, x1, bottom, face}, kTravel,
+                        {(x0 + x1) / 2, 0.05, top + kTopThickness});
   builder.hangOnLastJoint();
   builder.addCarcass({x0, x1, bottom, top}, kTrolleyDepth);
-  builder.addFixedBox({x0, 0, top + 0.003}, {x1, kTrolleyDepth, top + kTopThickness}, materials.body);
+  builder.addFixedBox({x0, 0, top + 0.003}, {x1, kTrolleyDepth, top + kTopThickness}, materials.worktop);
   for (const double x : {x0 + 0.05, x1 - 0.05})
     for (const double y : {0.07, kTrolleyDepth - 0.05})
       builder.addFixedBox({x - 0.02, y - 0.02, 0}, {x + 0.02, y + 0.02, bottom}, materials.plinth);

@@ -114,9 +114,6 @@ void FrontPairs::update(const std::vector<Track>& tracks, const std::vector<Lear
   look(child, parent, due);
   due->looked_at = updates_;
   due->observations = child.track->observations.size() + parent.track->observations.size();
-  fprintf(stderr, "t %.2f child %u(%s) parent %u(%s): odds %.1f likely %d way %.3f obs %zu\n",
-          child.track->observations.back().stamp, child.model->id, modelName(child.model->type), parent.model->id,
-          modelName(parent.model->type), due->log_odds, due->likely, 0.0, due->observations);
   if (was_likely && !due->likely) refuted_.push_back(child.model->id);
   noteCoupled();
 }

@@ -20,6 +20,8 @@ std::string modelText(const core::LearnedModel& model) {
   std::string text = format("object %u: %s, %.3f x %.3f m, %d observations\n  probabilities", model.id,
                             model.explained ? entry.name : "none of these", model.width, model.height, model.observations);
   for (const double probability : model.probabilities) text += format(" %.3f", probability);
+  if (model.parent != 0)
+    text += format("\n  hangs on object %u, P %.3f, and is described in its frame", model.parent, model.parent_probability);
   if (entry.moves) text += "\n  axis " + vectorText(model.axis);
   if (entry.turns) text += " through " + vectorText(model.axis_point) + format(", radius %.3f m", model.radius);
   if (entry.moves && entry.unit == core::ConfigurationUnit::kRadian)

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "articulation/models/model_registry.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "geometry/degrees.h"
@@ -34,14 +35,26 @@ const char* typeName(int type) {
   return index < core::modelRegistry().size() ? core::modelRegistry()[index].name : "unknown";
 }
 
-double distanceToModel(const core::LearnedModel& model, const core::Rectangle& front) {
-  double least = std::numeric_limits<double>::infinity();
+namespace {
+
+struct Nearest {
+  double q = 0;
+  double distance = std::numeric_limits<double>::infinity();  ///< [m] between the centres
+};
+
+Nearest nearestTo(const core::LearnedModel& model, const core::Rectangle& front) {
+  Nearest nearest;
   for (int k = 0; k < core::kDescriptions; ++k) {
     const double q = model.configuration(core::describe(front, k).pose);
-    least = std::min(least, (model.predict(q).translation() - front.center()).norm());
+    const double distance = (model.predict(q).translation() - front.center()).norm();
+    if (distance < nearest.distance) nearest = {q, distance};
   }
-  return least;
+  return nearest;
 }
+
+}  // namespace
+
+double distanceToModel(const core::LearnedModel& model, const core::Rectangle& front) { return nearestTo(model, front).distance; }
 
 bool SceneComparison::right() const {
   return false_movers == 0 && std::all_of(joints.begin(), joints.end(), [](const JointComparison& joint) { return joint.right; });
@@ -58,16 +71,42 @@ void TruthComparison::add(const SceneTruth& truth) {
   }
 }
 
-JointComparison TruthComparison::compareJoint(const History& truth, const ArticulationModel& model) const {
+/// The parent was at the q at which it is nearest to the true front that it describes best.
+TruthComparison::Placed TruthComparison::placeModel(const ArticulationModel& model,
+                                                    const std::vector<ArticulationModel>& all) const {
+  Placed placed{fromMessage(model), {}};
+  const auto parent = std::find_if(all.begin(), all.end(), [&](const auto& other) { return other.id == model.parent; });
+  if (model.parent == 0 || parent == all.end()) return placed;
+  const core::LearnedModel carrier = fromMessage(*parent);
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [name, truth] : histories_) {
+    double sum = 0;
+    std::vector<Eigen::Isometry3d> frames;
+    for (const core::Rectangle& front : truth.fronts) {
+      const Nearest nearest = nearestTo(carrier, front);
+      sum += nearest.distance;
+      frames.push_back(carrier.predict(nearest.q));
+    }
+    if (sum >= least) continue;
+    least = sum;
+    placed.frames = std::move(frames);
+  }
+  return placed;
+}
+
+JointComparison TruthComparison::compareJoint(const History& truth, const ArticulationModel& model, const Placed& placed) const {
   JointComparison result;
   result.name = truth.last.name;
   result.true_type = truth.last.type;
   result.true_range = truth.q_max - truth.q_min;
   result.model = model;
   result.probability = model.type < model.probabilities.size() ? model.probabilities[model.type] : 0;
-  const core::LearnedModel learned = fromMessage(model);
-  for (const core::Rectangle& front : truth.fronts) {
-    const double distance = kMillimetres * distanceToModel(learned, front);
+  const bool follows = placed.frames.size() == truth.fronts.size();
+  const core::LearnedModel learned = follows ? transformed(placed.model, placed.frames.back()) : placed.model;
+  for (std::size_t i = 0; i < truth.fronts.size(); ++i) {
+    core::Rectangle front = truth.fronts[i];
+    if (follows) front.pose = placed.frames[i].inverse() * front.pose;
+    const double distance = kMillimetres * distanceToModel(placed.model, front);
     result.prediction_mean += distance / truth.fronts.size();
     result.prediction_max = std::max(result.prediction_max, distance);
   }
@@ -83,6 +122,8 @@ JointComparison TruthComparison::compareJoint(const History& truth, const Articu
 SceneComparison TruthComparison::compare(const std::vector<ArticulationModel>& models, const TruthLimits& limits) const {
   SceneComparison comparison;
   std::set<std::uint32_t> used;
+  std::vector<Placed> placed;
+  for (const ArticulationModel& model : models) placed.push_back(placeModel(model, models));
   for (const std::string& name : order_) {
     const History& history = histories_.at(name);
     if (history.q_max <= history.q_min) continue;
@@ -91,9 +132,9 @@ SceneComparison TruthComparison::compare(const std::vector<ArticulationModel>& m
     best.true_type = history.last.type;
     best.true_range = history.q_max - history.q_min;
     best.prediction_mean = std::numeric_limits<double>::infinity();
-    for (const ArticulationModel& model : models) {
-      if (!model.moved) continue;
-      const JointComparison candidate = compareJoint(history, model);
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      if (!models[i].moved) continue;
+      const JointComparison candidate = compareJoint(history, models[i], placed[i]);
       if (candidate.prediction_mean < best.prediction_mean) best = candidate;
     }
     best.found = best.prediction_mean < kMillimetres * kFoundWithin;

@@ -61,7 +61,13 @@ class TruthComparison {
     double q_min = 0, q_max = 0;
     std::vector<core::Rectangle> fronts;
   };
-  JointComparison compareJoint(const History& truth, const ArticulationModel& model) const;
+  /// A learned model, and in each frame the frame that it is described in.
+  struct Placed {
+    core::LearnedModel model;
+    std::vector<Eigen::Isometry3d> frames;  ///< empty: those of the truth
+  };
+  Placed placeModel(const ArticulationModel& model, const std::vector<ArticulationModel>& all) const;
+  JointComparison compareJoint(const History& truth, const ArticulationModel& model, const Placed& learned) const;
 
   std::vector<std::string> order_;
   std::map<std::string, History> histories_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/ros/conversions.h"
+#include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
 #include "messages.h"
 #include "model_uses.h"
@@ -37,6 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return fuzz::examineMessages(data, size, [](fuzz::MessageReader& reader) {
     core::ArticulationLearner learner{core::ArticulationConfig()};
     core::ClosedFinder closed;
+    core::StructureFinder structure{core::ArticulationConfig()};
     core::KnownFronts known;
     std::string frame;
     do {
@@ -48,6 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       closed.see(std::move(view));
       std::vector<core::LearnedModel> models = learner.process(known.tracks());
       closed.complete(&models);
+      structure.complete(known.tracks(), &models);
       known.update(models);
       fuzz::useModels(models, frame);
     } while (!reader.atEnd());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "messages.h"
@@ -27,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Eigen::Isometry3d T_fixed_camera = fuzz::throughTf(*reader.next<geometry_msgs::TransformStamped>());
     const auto rectangles = fromMessage(*reader.next<RectangleArray>());
     const auto message = reader.next<ArticulationModelArray>();
-    std::vector<core::LearnedModel> models = fromMessage(*message);
+    std::vector<core::LearnedModel> models = core::allPlaced(fromMessage(*message));
     visualization_msgs::MarkerArray markers;
     addMarkers(rectangles, message->header, &markers);
     addMarkers(models, message->header, &markers);

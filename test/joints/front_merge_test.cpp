@@ -108,6 +108,41 @@ TEST(Merge, TwoFrontsOfOnePlaceStayTwo) {
   EXPECT_EQ(merged.fronts[0].model.q, 0.1);
 }
 
+/// A drawer in a trolley, whose face is front 3.
+KnownFront hangingDrawer(std::uint32_t id, std::uint32_t parent) {
+  KnownFront drawer = learned(test::drawerModel());
+  test::setId(id, &drawer);
+  drawer.model.parent = parent;
+  return drawer;
+}
+
+TEST(Merge, WhatHangsOnAnotherIsToldByThatAndFollowsItsNumber) {
+  const KnownFront face = learned(test::doorModel());
+  KnownFront face_in_file = face;
+  test::setId(8, &face_in_file);
+  MergedFronts merged = mergeFronts({face, hangingDrawer(4, 3)}, {face_in_file, hangingDrawer(9, 8)}, {});
+  ASSERT_THAT(idsOf(merged.fronts), ElementsAre(3, 4)) << "one trolley, one drawer";
+  EXPECT_EQ(merged.fronts[1].model.parent, 3U);
+  merged = mergeFronts({face}, {face_in_file, hangingDrawer(9, 8)}, {});
+  ASSERT_THAT(idsOf(merged.fronts), ElementsAre(3, 9));
+  EXPECT_EQ(merged.fronts[1].model.parent, 3U) << "the file's drawer hangs on the face that is known now";
+}
+
+TEST(Merge, DrawersOfTwoTrolleysAreTwo) {
+  const KnownFront face = learned(test::doorModel());
+  KnownFront other_face = learned(test::moved(test::doorModel(), {2, 0, 0}));
+  const MergedFronts merged = mergeFronts({face, hangingDrawer(4, 3)}, {other_face, hangingDrawer(4, 3)}, {});
+  ASSERT_THAT(idsOf(merged.fronts), ElementsAre(3, 4, 5, 6));
+  EXPECT_EQ(merged.fronts[1].model.parent, 3U);
+  EXPECT_EQ(merged.fronts[3].model.parent, 5U);
+}
+
+TEST(Merge, WhatHangsOnWhatWasRemovedGoesWithIt) {
+  const KnownFront face = learned(test::doorModel());
+  const MergedFronts merged = mergeFronts({}, {face, hangingDrawer(4, 3)}, {face.model});
+  EXPECT_TRUE(merged.fronts.empty());
+}
+
 TEST(Merge, AWellKnownFrontIsNotReplacedByAGlimpse) {
   const KnownFront file = learned(test::doorModel(), 150, 1000);
   KnownFront glimpse = learned(test::doorModel(), 20, 5000);

@@ -90,6 +90,35 @@ TEST_F(ModelFiles, KeepNames) {
   }
 }
 
+TEST_F(ModelFiles, KeepWhatAFrontHangsOn) {
+  KnownFront door = learned(test::doorModel()), drawer = learned(test::drawerModel());
+  saveModelFile(path_, {"map", {door, drawer}});
+  EXPECT_EQ(text().find("parent"), std::string::npos);
+  EXPECT_NE(text().find("version: 1"), std::string::npos) << "older programs read what hangs on the world";
+  drawer.model.parent = 3;
+  drawer.model.parent_probability = 0.875;  // the same drawer, better known
+  saveModelFile(path_, {"map", {door, drawer}});
+  EXPECT_NE(text().find("version: 2"), std::string::npos) << "and not what they would place wrongly";
+  const ModelFile loaded = readModelFile(path_);
+  ASSERT_EQ(loaded.fronts.size(), 2U);
+  EXPECT_EQ(loaded.fronts[0].model.parent, 0U);
+  EXPECT_EQ(loaded.fronts[0].model.parent_probability, 1);
+  EXPECT_EQ(loaded.fronts[1].model.parent, 3U);
+  EXPECT_EQ(loaded.fronts[1].model.parent_probability, 0.875);
+}
+
+TEST_F(ModelFiles, WithACycleOfParentsAreRefused) {
+  KnownFront door = learned(test::doorModel()), drawer = learned(test::drawerModel());
+  drawer.model.parent = 3;
+  saveModelFile(path_, {"map", {door, drawer}});
+  damage("id: 3\n", "id: 3\n    parent: 4\n");
+  expectRefused("front 3 hangs on front 4, which hangs on front 3, in a cycle");
+  damage("parent: 4", "parent: 3");
+  expectRefused("front 3 hangs on front 3, in a cycle");
+  damage("parent: 3", "parent: x");
+  expectRefused("'parent'");
+}
+
 TEST_F(ModelFiles, OlderThanNamesHaveNone) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
   EXPECT_EQ(text().find("name:"), std::string::npos);
@@ -209,8 +238,8 @@ TEST_F(ModelFiles, StaySmallWhenMuchWasSeen) {
 
 TEST_F(ModelFiles, OfAnotherVersionAreRefused) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
-  damage("version: 1", "version: 2");
-  expectRefused("its version is 2, this program reads version 1");
+  damage("version: 1", "version: 3");
+  expectRefused("its version is 3, this program reads the versions 1 and 2");
 }
 
 TEST_F(ModelFiles, ThatAreCutOffAreRefused) {

@@ -91,9 +91,9 @@ TEST_F(ModelSaving, KeepsAFileOfAnotherFrameOrVersionBesideTheNewOne) {
               HasSubstr("its poses are in the frame 'map', and the new ones in 'odom'"));
   EXPECT_THAT(idsIn(path_ + ".kept-1"), testing::ElementsAre(3));
   EXPECT_EQ(readModelFile(path_).frame, "odom");
-  damage("version: 1", "version: 2");
-  EXPECT_THAT(saveModelFile(path_, {"odom", {door()}}).kept, HasSubstr("its version is 2"));
-  EXPECT_THAT(textOf(path_ + ".kept-2"), HasSubstr("version: 2"));
+  damage("version: 1", "version: 3");
+  EXPECT_THAT(saveModelFile(path_, {"odom", {door()}}).kept, HasSubstr("its version is 3"));
+  EXPECT_THAT(textOf(path_ + ".kept-2"), HasSubstr("version: 3"));
 }
 
 TEST_F(ModelSaving, NeverTouchesWhatIsNoModelFile) {

@@ -52,6 +52,22 @@ TEST(Urdf, FrontMovesAsTheModelPredicts) {
     }
 }
 
+TEST(Urdf, WhatHangsOnAFrontHangsOnItsLink) {
+  LearnedModel rack = test::drawerModel();
+  rack.parent = 3;
+  rack.origin = Eigen::Isometry3d(Eigen::Translation3d(0.02, -0.1, -0.1));
+  rack.axis = Eigen::Vector3d::UnitZ();
+  const auto description = parse({rack, test::doorModel()});
+  ASSERT_TRUE(description);
+  EXPECT_EQ(description->getLink("cabinet_4_base")->getParent()->name, "cabinet_3_front");
+  for (const double q : {0.0, 0.25}) {
+    const Eigen::Isometry3d pose = linkPose(*description, "cabinet_4_front", q);  // both joints at q
+    EXPECT_TRUE(pose.isApprox(test::doorModel().predict(q) * rack.predict(q), kPrecision)) << q;
+  }
+  EXPECT_THAT([&] { toUrdf({rack}, "odom", "cabinet"); },
+              ThrowsSaying<ModelError>(HasSubstr("front 4 hangs on front 3, which is not known")));
+}
+
 TEST(Urdf, LimitsAreWhatWasSeen) {
   const auto description = parse({test::doorModel(), test::drawerModel()});
   const auto door = description->getJoint("front_3"), drawer = description->getJoint("front_4");

@@ -6,6 +6,7 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "ros/model_drawing.h"

@@ -41,6 +41,19 @@ TEST(Joints, TransformsChainToTheFrontAsItIsNow) {
       (tf2::transformToEigen(along_curve[0]) * tf2::transformToEigen(along_curve[1])).isApprox(garage.predict(0.2), 1e-9));
 }
 
+TEST(Joints, TransformsOfWhatHangsOnAFrontChainToThat) {
+  const core::LearnedModel door = test::doorModel();
+  core::LearnedModel rack = test::drawerModel();
+  rack.parent = door.id;
+  const auto transforms = jointTransforms({door, rack}, headerAt(5), "cabinet");
+  ASSERT_EQ(transforms.size(), 4u);
+  EXPECT_EQ(transforms[2].header.frame_id, "cabinet_3_front");
+  EXPECT_EQ(transforms[2].child_frame_id, "cabinet_4_base");
+  const Eigen::Isometry3d front = tf2::transformToEigen(transforms[2]) * tf2::transformToEigen(transforms[3]);
+  EXPECT_TRUE(front.isApprox(rack.predict(rack.q), 1e-9));
+  EXPECT_TRUE(jointTransforms({rack}, headerAt(5), "cabinet").empty()) << "a frame without a parent would be a tree of its own";
+}
+
 TEST(Joints, ANameIsAnotherFrameOfTheFront) {
   core::LearnedModel door = test::doorModel();
   door.name = "fridge";

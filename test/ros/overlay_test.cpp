@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "articulation/models/model_registry.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "ros/model_drawing.h"
 #include "ros/overlay_labels.h"

@@ -20,6 +20,11 @@ LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_t
 /// Throws ModelError for a parent that is not among `all` or is no joint, and for a cycle.
 Eigen::Isometry3d frameOf(const LearnedModel& model, const std::vector<LearnedModel>& all);
 
+/// Whether its parents, up to the world, are joints among `all`.
+bool hangsOnKnown(const LearnedModel& model, const std::vector<LearnedModel>& all);
+
+std::vector<LearnedModel> thoseOnKnown(const std::vector<LearnedModel>& models);
+
 /// The model in the frame that the world's fronts are described in, with its parents at their present q. One that hangs on the
 /// world is returned as it is. Throws as frameOf().
 LearnedModel placed(const LearnedModel& model, const std::vector<LearnedModel>& all);

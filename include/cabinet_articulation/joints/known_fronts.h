@@ -18,6 +18,8 @@ struct KnownFront {
   Track track;
 };
 
+std::vector<LearnedModel> modelsOf(const std::vector<KnownFront>& fronts);
+
 /// A front cannot be called so. The message says why, and what would do.
 class NameError : public ModelError {
  public:

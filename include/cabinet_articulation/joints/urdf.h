@@ -17,6 +17,8 @@ namespace cabinet_articulation::core {
  * seen. The front is the model's pose, and carries a wooden panel of the front's size that lies behind it, and collides. The
  * joint's name is nameOf(); only a front that people named has the last link, which is the front again.
  *
+ * The base of a front that hangs on another lies in that one's front: cabinet_2_front -- fixed --> cabinet_3_base.
+ *
  * Fronts of one piece of furniture hang on one link between the frame and their bases, cabinet_<lowest id>_body. It lies in their
  * common surface, amid them, with the axes of the first front. Fronts are one piece under two conditions. First, their closed
  * surfaces are more likely one plane than two parallel or tilted ones. The likelihood is that of their distance and tilt, given
@@ -25,8 +27,9 @@ namespace cabinet_articulation::core {
  */
 
 /// Throws ModelError for what is no joint or has no counterpart in URDF, and for an id or a name that is there twice. So it does
-/// for names that are empty or that XML cannot hold (control characters, no UTF-8). `frame` is the frame of the models, and
-/// becomes the root link; `prefix` is the first part of all other names.
+/// for a front that hangs on one that is not among them, and for names that are empty or that XML cannot hold (control
+/// characters, no UTF-8). `frame` is the frame of the models, and becomes the root link; `prefix` is the first part of all other
+/// names.
 std::string toUrdf(const std::vector<LearnedModel>& models, const std::string& frame, const std::string& prefix);
 
 /// Whether URDF has such a joint.

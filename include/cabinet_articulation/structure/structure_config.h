@@ -7,7 +7,7 @@ namespace cabinet_articulation::core {
 
 /// What is believed of fronts that hang on others, before any is seen to.
 struct StructureConfig {
-  double hanging_odds = 1e-3;
+  double hanging_odds = 1e-4;
   double near = 0.3;
   double pause = 0.5;
   double margin = 0.02;
@@ -16,7 +16,7 @@ struct StructureConfig {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit("hanging_odds", self.hanging_odds, Range{1e-9, 1}, "",
-          "odds beforehand that a front hangs on a certain other one rather than on the world (ours: one pair of a thousand)");
+          "odds beforehand that a front hangs on a certain other one rather than on the world (ours: a kitchen has a thousand pairs, and one of ten kitchens a front that hangs on another)");
     visit("near", self.near, Range{0, 10}, "m",
           "widest gap between a front and what it hangs on (furniture: leaves touch, racks hang within a hand's breadth)");
     visit("pause", self.pause, Range{0, 10}, "s",

@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "ros/model_drawing.h"
 #include "ros/overlay.h"
 
@@ -34,7 +35,7 @@ cv::Mat3b background(const core::DepthFrame& frame) {
 Picture pictureOf(double time, const core::PipelineResult& result, const Eigen::Isometry3d& T_fixed_camera) {
   const Eigen::Isometry3d T_camera_fixed = T_fixed_camera.inverse();
   std::vector<core::LearnedModel> models;
-  for (const core::LearnedModel& model : result.models) models.push_back(transformed(model, T_camera_fixed));
+  for (const core::LearnedModel& model : core::allPlaced(result.models)) models.push_back(transformed(model, T_camera_fixed));
   cv::Mat3b image = background(result.frame);
   drawOverlay(result.frame.camera, result.rectangles, models, &image);
   Picture picture;
