@@ -141,6 +141,29 @@ void removeWhatHangsOnNothing(std::vector<KnownFront>* fronts) {
   }
 }
 
+using NewIds = std::map<std::uint32_t, std::uint32_t>;  ///< of the file's fronts
+
+/// Leaves the better known one of each pair in `known`, with the id of the other. Returns how many are those of the file.
+std::size_t joinPairs(const std::vector<int>& partner, std::vector<KnownFront>* known, std::vector<KnownFront>* file,
+                      NewIds* new_ids) {
+  std::size_t from_file = 0;
+  for (std::size_t i = 0; i < known->size(); ++i) {
+    if (partner[i] < 0) continue;
+    KnownFront &front = (*known)[i], &other = (*file)[static_cast<std::size_t>(partner[i])];
+    const LearnedModel now = front.model;
+    (*new_ids)[other.model.id] = now.id;
+    const std::string name = now.name.empty() ? other.model.name : now.name;
+    if (isMuchPoorer(front, other)) {
+      front = std::move(other);
+      setId(now.id, &front);
+      front.model.parent = now.parent;
+      ++from_file;
+    }
+    setName(name, &front);
+  }
+  return from_file;
+}
+
 std::set<std::uint32_t> idsOfNamed(const std::vector<KnownFront>& fronts) {
   std::set<std::uint32_t> ids;
   for (const KnownFront& front : fronts)
@@ -190,24 +213,11 @@ MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> 
   const std::vector<int> partner = pairUp(known, file);
   std::vector<bool> paired(file.size(), false);
   const std::set<std::uint32_t> named_now = idsOfNamed(known);
-  std::map<std::uint32_t, std::uint32_t> new_ids;  // of the file's fronts
+  NewIds new_ids;
   for (const KnownFront& front : file) new_ids[front.model.id] = front.model.id;
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (partner[i] < 0) continue;
-    KnownFront& other = file[static_cast<std::size_t>(partner[i])];
-    paired[static_cast<std::size_t>(partner[i])] = true;
-    const std::uint32_t id = known[i].model.id;
-    new_ids[other.model.id] = id;
-    const std::string name = known[i].model.name.empty() ? other.model.name : known[i].model.name;
-    if (isMuchPoorer(known[i], other)) {
-      const std::uint32_t parent = known[i].model.parent;
-      known[i] = std::move(other);
-      setId(id, &known[i]);
-      known[i].model.parent = parent;
-      ++merged.from_file;
-    }
-    setName(name, &known[i]);
-  }
+  merged.from_file = joinPairs(partner, &known, &file, &new_ids);
+  for (const int index : partner)
+    if (index >= 0) paired[static_cast<std::size_t>(index)] = true;
   std::vector<KnownFront> others;
   for (std::size_t j = 0; j < file.size(); ++j)
     if (!paired[j]) others.push_back(std::move(file[j]));

@@ -32,20 +32,8 @@ class ArticulationStage : public StageNodelet {
     loadSettings(config, file, output_);
     learner_ = std::make_unique<core::ArticulationLearner>(config);
     structure_ = std::make_unique<core::StructureFinder>(config);
-    const auto start_from = [this](const std::vector<core::LearnedModel>& joints) {
-      learner_->reset();
-      closed_.reset();
-      structure_->reset();
-      remember(joints);
-    };
-    const auto forget = [this](std::uint32_t id) {
-      learner_->forget(id);
-      closed_.forget(id);
-      structure_->forget(id);
-    };
-    const StoreCalls calls{start_from, forget, [this] { health().setLasting("models_file", ""); }};
     getMTNodeHandle().setCallbackQueue(requests_.queue());
-    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, calls, guard());
+    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, storeCalls(), guard());
     report([this] { return store_->loadAtStart(); });
     services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get(), guard());
     services_->countFromClosed(output_.countsFromClosed());
@@ -68,6 +56,21 @@ class ArticulationStage : public StageNodelet {
       const sensor_msgs::JointState left = lastJointStates(counted(known), frame_id);
       if (!left.name.empty()) subscriber.publish(left);
     });
+  }
+
+  StoreCalls storeCalls() {
+    const auto start_from = [this](const std::vector<core::LearnedModel>& joints) {
+      learner_->reset();
+      closed_.reset();
+      structure_->reset();
+      remember(joints);
+    };
+    const auto forget = [this](std::uint32_t id) {
+      learner_->forget(id);
+      closed_.forget(id);
+      structure_->forget(id);
+    };
+    return {start_from, forget, [this] { health().setLasting("models_file", ""); }};
   }
 
   void subscribe() override {

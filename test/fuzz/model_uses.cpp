@@ -35,12 +35,6 @@ std::vector<core::KnownFront> exampleFronts() {
   return fronts;
 }
 
-std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fronts) {
-  std::vector<core::LearnedModel> models;
-  for (const core::KnownFront& front : fronts) models.push_back(front.model);
-  return models;
-}
-
 std::vector<core::Track> tracksOf(const std::vector<core::KnownFront>& fronts) {
   std::vector<core::Track> tracks;
   for (const core::KnownFront& front : fronts) tracks.push_back(front.track);

@@ -11,7 +11,6 @@ namespace cabinet_articulation::fuzz {
 /// A door, a drawer and a garage door, each with a short history.
 std::vector<core::KnownFront> exampleFronts();
 
-std::vector<core::LearnedModel> modelsOf(const std::vector<core::KnownFront>& fronts);
 std::vector<core::Track> tracksOf(const std::vector<core::KnownFront>& fronts);
 
 /// All fronts where they were seen last.

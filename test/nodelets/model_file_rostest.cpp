@@ -9,6 +9,8 @@
 #include <std_srvs/Trigger.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -128,6 +130,49 @@ TEST_F(ModelFile, IsWrittenAtTheEndAndKnownAtTheStart) {
   EXPECT_TRUE(models->models[0].moved);
   EXPECT_EQ(models->models[0].observations, test::kFrames + 1u) << "continues";
   EXPECT_NEAR(models->models[0].q, 0.3, 0.01);
+}
+
+/// The second leaf of a folding door, of which the door is the first.
+Eigen::Isometry3d leafPose(double q) {
+  return test::doorPose(q) * Eigen::Translation3d(0.2, 0, 0) * Eigen::AngleAxisd(2 * q, Eigen::Vector3d::UnitY()) *
+         Eigen::Translation3d(0.2, 0, 0);
+}
+
+TEST_F(ModelFile, KeepsWhatAFrontHangsOnAndRefusesACycle) {
+  tracks_.resize(2);
+  tracks_[1].height = 0.6;
+  const std::string door = std::to_string(tracks_[0].id), leaf = std::to_string(tracks_[1].id);
+  ArticulationModelArrayConstPtr models;
+  for (int i = 0; i < 90; ++i) {
+    const double stamp = 700 + i / 15.0, q = 0.8 * std::max(0, i - 15) / 74.0;
+    observe(&tracks_[0], test::doorPose(q), stamp);
+    observe(&tracks_[1], leafPose(q), stamp);
+    models = publish(stamp);
+  }
+  ASSERT_TRUE(models);
+  ASSERT_EQ(models->models.size(), 2u);
+  EXPECT_EQ(models->models[0].parent, 0u);
+  ASSERT_EQ(models->models[1].parent, tracks_[0].id);
+  EXPECT_GT(models->models[1].parent_probability, 0.99);
+  const double q = models->models[1].q;
+  const Predict::Response before = predict(tracks_[1].id, q);
+  ASSERT_TRUE(before.success) << before.message;
+  EXPECT_EQ(before.header.frame_id, "map");
+  EXPECT_LT((fromMessage(before.poses.at(0).pose).translation() - leafPose(0.8).translation()).norm(), 0.005);
+  restart();
+  const Predict::Response after = predict(tracks_[1].id, q);
+  ASSERT_TRUE(after.success) << after.message;
+  EXPECT_LT((fromMessage(after.poses.at(0).pose).translation() - fromMessage(before.poses.at(0).pose).translation()).norm(),
+            1e-6);
+  std::string content = text();
+  EXPECT_TRUE(contains(content, "parent: " + door));
+  const std::string id = "- id: " + door + "\n";
+  std::ofstream(path_) << content.replace(content.find(id), id.size(), id + "    parent: " + leaf + "\n");
+  const auto loaded = callWithFile<LoadModels>("load_models", "");
+  EXPECT_FALSE(loaded.first);
+  EXPECT_TRUE(contains(loaded.second, "front " + door + " hangs on front " + leaf) && contains(loaded.second, "in a cycle"))
+      << loaded.second;
+  EXPECT_TRUE(predict(tracks_[1].id, q).success) << "what was known stays known";
 }
 
 TEST_F(ModelFile, ThatIsDamagedIsRefusedWithoutALossAndKeptBesideTheNextOne) {
