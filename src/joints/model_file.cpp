@@ -6,6 +6,7 @@
 
 #include "config/ordinary_file.h"
 #include "joints/front_merge.h"
+#include "joints/kind_fields.h"
 #include "joints/model_text.h"
 #include "joints/safe_file.h"
 
@@ -34,6 +35,7 @@ auto onFile(const std::string& path, const Work& work) {
 /// What the file held that is there, or why it cannot be merged.
 struct Found {
   std::optional<ModelFile> models;
+  std::vector<JointShape> kinds;  ///< can be merged whatever their frame
   std::string why_not;
 };
 
@@ -44,6 +46,7 @@ Found lookAt(const fs::path& file) {
   try {
     text = readFileIfThere(file, kLargestFile);
     if (text) found.models = modelsFromText(*text);
+    if (found.models) found.kinds = found.models->kinds;
   } catch (const std::exception& error) {
     if (!text || !wasModelFile(*text))
       throw std::runtime_error(std::string(error.what()) + "; it is left as it is, and nothing is saved");
@@ -64,6 +67,7 @@ std::string SavedModels::inWords(const std::string& file) const {
   for (const NameChange& change : renamed)
     text += "; front " + std::to_string(change.id) + " of the file is called '" + change.to + "' there, for another is '" +
             change.from + "' now";
+  if (kinds > 0) text += "; and the joints of " + std::to_string(kinds) + " fronts that are not known any more, for their kinds";
   if (!kept.empty()) text += "; " + kept;
   return text;
 }
@@ -89,7 +93,10 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
     saved.renamed = merged.renamed;
     if (found.models) saved.changes = found.models->changes;
     saved.changes.insert(saved.changes.end(), merged.changes.begin(), merged.changes.end());
-    const std::string text = toText({models.frame, std::move(merged.fronts)});
+    ModelFile united_models{models.frame, std::move(merged.fronts)};
+    united_models.kinds = models.replaces_kinds ? models.kinds : united(models.kinds, found.kinds);
+    saved.kinds = united_models.kinds.size();
+    const std::string text = toText(united_models);
     if (found.why_not.empty()) {
       replaceFile(file, text, lock);
     } else {
@@ -108,9 +115,10 @@ std::size_t removeFromModelFile(const std::string& path, const std::string& fram
     if (!text) return 0;
     const ModelFile before = modelsFromText(*text);
     if (before.frame != frame) return 0;
-    MergedFronts left = mergeFronts({}, before.fronts, removed);
+    ModelFile left{frame, mergeFronts({}, before.fronts, removed).fronts};
+    left.kinds = before.kinds;
     const std::size_t gone = before.fronts.size() - left.fronts.size();
-    if (gone > 0) replaceFile(file, toText({frame, std::move(left.fronts)}), lock);
+    if (gone > 0) replaceFile(file, toText(left), lock);
     return gone;
   });
 }

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/joints/hanging.h"
 #include "joints/front_merge.h"
+#include "joints/kind_fields.h"
 #include "joints/model_file_fields.h"
 #include "tracking/history.h"
 
@@ -45,6 +46,7 @@ std::string toText(const ModelFile& models) {
     while (thinOut(front.track.observations, kKeptObservations)) continue;
     root["fronts"].push_back(toYaml(front));
   }
+  for (const JointShape& shape : models.kinds) root["kinds"].push_back(toYaml(shape));
   root[kEnd] = true;
   YAML::Emitter emitter;
   emitter << root;
@@ -69,6 +71,7 @@ ModelFile modelsFromText(const std::string& text) {
     }
   }
   requireNoCycle(modelsOf(models.fronts));
+  models.kinds = shapesFromYaml(root["kinds"]);
   std::vector<std::uint32_t> taken;
   models.changes = giveFreeIds(&models.fronts, &taken);
   return models;

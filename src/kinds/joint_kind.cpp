@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/median.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -29,11 +31,11 @@ double ShapePrior::weight(const Eigen::VectorXd& difference) const {
 }
 
 JointKind::JointKind(std::vector<JointShape> shapes, const KindsConfig& config)
-    : shapes_(std::move(shapes)), mean_(meanShape(shapes_)) {
+    : shapes_(std::move(shapes)), mean_(meanShape(shapes_)), sides_(shapes_, config) {
   const int d = mean_.dimensions();
   prior_freedom_ = d + 1 + config.spread_joints;
   Eigen::VectorXd variances = Eigen::VectorXd::Constant(d, config.turn_spread * config.turn_spread);
-  if (mean_.turns()) variances[d - 1] = config.size_spread * config.size_spread;
+  if (mean_.turns()) variances[d - 1] = config.radius_spread * config.radius_spread;
   prior_scatter_ = Eigen::MatrixXd(config.spread_joints * variances.asDiagonal());
   scatter_ = prior_scatter_;
   for (const JointShape& shape : shapes_) {
@@ -55,11 +57,19 @@ ShapePrior JointKind::next() const {
   return prior;
 }
 
+double JointKind::range() const {
+  std::vector<double> ranges;
+  for (const JointShape& shape : shapes_)
+    if (shape.range > 0) ranges.push_back(shape.range);
+  return median(std::move(ranges));
+}
+
 double JointKind::logEvidence() const {
   const int d = mean_.dimensions();
   const double n = static_cast<double>(size());
-  return -0.5 * d * ((n - 1) * std::log(M_PI) + std::log(n)) + logGamma(d, freedom() / 2) - logGamma(d, prior_freedom_ / 2) +
-         0.5 * prior_freedom_ * std::log(prior_scatter_.determinant()) - 0.5 * freedom() * std::log(scatter_.determinant());
+  return sides_.logEvidence() - 0.5 * d * ((n - 1) * std::log(M_PI) + std::log(n)) + logGamma(d, freedom() / 2) -
+         logGamma(d, prior_freedom_ / 2) + 0.5 * prior_freedom_ * std::log(prior_scatter_.determinant()) -
+         0.5 * freedom() * std::log(scatter_.determinant());
 }
 
 }  // namespace cabinet_articulation::core

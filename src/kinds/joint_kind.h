@@ -4,8 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "kinds/joint_shape.h"
-#include "kinds/kinds_config.h"
+#include "cabinet_articulation/kinds/kinds_config.h"
+#include "kinds/front_sides.h"
+#include "kinds/shape_geometry.h"
 
 namespace cabinet_articulation::core {
 
@@ -24,7 +25,7 @@ struct ShapePrior {
 
 /// Joints that have their shape in common. Shapes of a kind are normal about its mean. The mean is anywhere beforehand; the
 /// covariance is inverse Wishart about the spreads of `config` (Murphy, Conjugate Bayesian analysis of the Gaussian distribution,
-/// 2007, sections 8 and 9).
+/// 2007, sections 8 and 9). So are the sides of their fronts.
 class JointKind {
  public:
   JointKind(std::vector<JointShape> shapes, const KindsConfig& config);
@@ -36,8 +37,14 @@ class JointKind {
   /// The next joint of this kind.
   ShapePrior next() const;
 
-  /// [nats] Log of the probability density of the shapes, whatever the mean and the covariance are, per density of the mean's
-  /// place.
+  /// Of the fronts.
+  const FrontSides& sides() const { return sides_; }
+
+  /// [m; where it turns rad] Median of how far they were seen to open; 0: unknown.
+  double range() const;
+
+  /// [nats] Log of the probability density of shapes and sides, whatever means and covariances are, per density of the place of
+  /// the shapes' mean.
   double logEvidence() const;
 
  private:
@@ -45,6 +52,7 @@ class JointKind {
 
   std::vector<JointShape> shapes_;
   JointShape mean_;
+  FrontSides sides_;
   double prior_freedom_;
   Eigen::MatrixXd prior_scatter_, scatter_;
 };

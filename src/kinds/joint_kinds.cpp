@@ -8,6 +8,8 @@
 
 #include "articulation/observations/observation_history.h"
 #include "kinds/kind_choice.h"
+#include "kinds/kind_description.h"
+#include "kinds/upright.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -23,27 +25,6 @@ std::optional<PoseSamples> samplesOf(const Track& track, const ArticulationConfi
 
 double& probabilityOf(JointType type, LearnedModel* model) { return model->probabilities.at(static_cast<std::size_t>(type)); }
 
-/// Puts the joint of `arc`, whose middle is where the front was first seen, in place of what was learned.
-void describe(const Arc& arc, JointType type, const PoseSamples& samples, LearnedModel* learned) {
-  const bool turns = type == JointType::kRotational;
-  learned->type = type;
-  learned->origin.translation() = arc.middle;
-  learned->origin.linear() = samples.has_orientation ? arc.orientation : samples.orientations.front().toRotationMatrix();
-  learned->axis = turns ? arc.axis() : arc.tangent();
-  learned->axis_point = turns ? arc.center() : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  learned->radius = turns ? arc.radius() : 0;
-  learned->pitch = 0;
-  learned->curve.clear();
-  learned->params.clear();
-  learned->q_min = learned->q_max = 0;
-  learned->q_min_is_end = learned->q_max_is_end = false;
-  for (const Eigen::Vector3d& position : samples.positions) {
-    learned->q = (turns ? arc.curvature : 1) * arc.arcLength(position);
-    learned->q_min = std::min(learned->q_min, learned->q);
-    learned->q_max = std::max(learned->q_max, learned->q);
-  }
-}
-
 }  // namespace
 
 JointKinds::JointKinds(const KindsConfig& config, const FurniturePrior& prior) : config_(config), prior_(prior) {
@@ -56,9 +37,75 @@ bool JointKinds::add(const LearnedModel& joint, const Track& track, const Articu
   if (!samples) return false;
   const Eigen::Matrix3d start =
       samples->has_orientation ? joint.origin.linear() : samples->orientations.front().toRotationMatrix();
-  kinds_.emplace_back(std::vector<JointShape>{shapeOf(joint, start)}, config_);
-  merge();
+  JointShape shape = shapeOf(joint, start);
+  shape.front = 0;  // logs have no ids
+  add(shape);
   return true;
+}
+
+void JointKinds::add(const JointShape& shape) {
+  if (shape.front != 0) remove(shape.front);
+  kinds_.emplace_back(std::vector<JointShape>{shape}, config_);
+  merge();
+  std::size_t count = 0;
+  for (const JointKind& kind : kinds_) count += kind.size();
+  if (count <= kMostShapes) return;
+  const auto smaller = [](const JointKind& a, const JointKind& b) { return a.size() < b.size(); };
+  take(0, std::max_element(kinds_.begin(), kinds_.end(), smaller));
+}
+
+bool JointKinds::holds(const JointShape& shape) const {
+  const auto is_same = [&shape](const JointShape& other) {
+    return other.front == shape.front && other.type == shape.type && other.frame == shape.frame && other.radius == shape.radius &&
+           other.width == shape.width && other.height == shape.height && other.range == shape.range;
+  };
+  return std::any_of(kinds_.begin(), kinds_.end(),
+                     [&](const JointKind& kind) { return std::any_of(kind.shapes().begin(), kind.shapes().end(), is_same); });
+}
+
+/// Takes one joint out of a kind.
+void JointKinds::take(std::size_t i, std::vector<JointKind>::iterator kind) {
+  std::vector<JointShape> left = kind->shapes();
+  left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+  if (left.empty())
+    kinds_.erase(kind);
+  else
+    *kind = JointKind(std::move(left), config_);
+}
+
+void JointKinds::remove(std::uint32_t front) {
+  for (auto kind = kinds_.begin(); kind != kinds_.end(); ++kind)
+    for (std::size_t i = 0; i < kind->size(); ++i)
+      if (kind->shapes()[i].front == front) return take(i, kind);
+}
+
+void JointKinds::disown(std::uint32_t front) {
+  for (JointKind& kind : kinds_) {
+    std::vector<JointShape> shapes = kind.shapes();
+    const auto own =
+        std::find_if(shapes.begin(), shapes.end(), [front](const JointShape& shape) { return shape.front == front; });
+    if (own == shapes.end()) continue;
+    own->front = 0;
+    kind = JointKind(std::move(shapes), config_);
+  }
+}
+
+JointKinds JointKinds::toldTo(std::uint32_t front, int k) const {
+  JointKinds others = *this;
+  others.remove(front);
+  if (k == 0) return others;
+  for (JointKind& kind : others.kinds_) {
+    std::vector<JointShape> shapes = kind.shapes();
+    for (JointShape& shape : shapes) shape = described(shape, kDescriptionsOfASide - k);
+    kind = JointKind(std::move(shapes), config_);
+  }
+  return others;
+}
+
+std::vector<JointShape> JointKinds::shapes() const {
+  std::vector<JointShape> shapes;
+  for (const JointKind& kind : kinds_) shapes.insert(shapes.end(), kind.shapes().begin(), kind.shapes().end());
+  return shapes;
 }
 
 /// [nats] A kind's evidence, with its part of the Chinese restaurant process.
@@ -101,7 +148,8 @@ LearnedModel JointKinds::predict(const LearnedModel& learned, const Track& track
   if (kinds_.empty() || !learned.explained || still > 0.5 || slides + turns <= 0) return learned;
   const std::optional<PoseSamples> samples = samplesOf(track, config);
   if (!samples) return learned;
-  const KindChoice choice = chooseKind(kinds_, *samples, turns / (slides + turns), config_, config);
+  const KindWeights weights = weightsOf(kinds_, track.width, track.height);
+  const KindChoice choice = chooseKind(kinds_, weights, *samples, turns / (slides + turns), config_, config);
   if (choice.is_new) return learned;
   if (!learned.moved) {
     constexpr double kSureOfType = 0.95;
@@ -118,6 +166,24 @@ LearnedModel JointKinds::predict(const LearnedModel& learned, const Track& track
   slides = joints - turns;
   describe(choice.arc, choice.type, *samples, &predicted);
   return predicted;
+}
+
+LearnedModel JointKinds::expect(const LearnedModel& resting, std::size_t at_rest) const {
+  if (kinds_.empty() || !(resting.width > 0 && resting.height > 0)) return resting;
+  const KindWeights weights = weightsOf(kinds_, resting.width, resting.height);
+  const double others = config_.novelty + static_cast<double>(at_rest) * std::exp(weights.any);
+  double sum = others;
+  for (const double weight : weights.kinds) sum += std::exp(weight);
+  const auto best = std::max_element(weights.kinds.begin(), weights.kinds.end());
+  if (std::exp(*best) <= sum / 2) return resting;
+  LearnedModel expected = resting;
+  for (double& probability : expected.probabilities) probability = 0;
+  probabilityOf(JointType::kRigid, &expected) = others / sum;
+  for (std::size_t i = 0; i < kinds_.size(); ++i)
+    probabilityOf(kinds_[i].mean().type, &expected) += std::exp(weights.kinds[i]) / sum;
+  expected.observed = false;
+  describe(kinds_[static_cast<std::size_t>(best - weights.kinds.begin())], &expected);
+  return expected;
 }
 
 }  // namespace cabinet_articulation::core

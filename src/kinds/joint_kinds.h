@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/articulation/learned_model.h"
+#include "cabinet_articulation/kinds/kinds_config.h"
 #include "cabinet_articulation/tracking/track.h"
 #include "kinds/joint_kind.h"
-#include "kinds/kinds_config.h"
 
 namespace cabinet_articulation::core {
 
@@ -26,7 +27,28 @@ class JointKinds {
   /// and nothing changes, of a joint that is neither prismatic nor rotational, was not seen to move, or is not explained.
   bool add(const LearnedModel& joint, const Track& track, const ArticulationConfig& config);
 
+  /// Takes a joint's shape in, in place of the one that its front has there. Of more than kMostShapes joints the largest kind
+  /// loses its oldest.
+  void add(const JointShape& shape);
+  static constexpr std::size_t kMostShapes = 256;  ///< ours: the fronts of a large building, some 100 kB
+
+  /// Whether the joint of this front is there, just like that.
+  bool holds(const JointShape& shape) const;
+
+  /// Takes out the joint of a front. Kinds that were merged for it stay merged.
+  void remove(std::uint32_t front);
+
+  /// Keeps the joint of a front, which is nobody's from now on.
+  void disown(std::uint32_t front);
+
+  /// The same without the joint of a front, for that front: what it taught is no news to it. Shapes are those in the description
+  /// of the front of which k is the one that they are in here.
+  JointKinds toldTo(std::uint32_t front, int k) const;
+
   const std::vector<JointKind>& kinds() const { return kinds_; }
+
+  /// Of all joints.
+  std::vector<JointShape> shapes() const;
 
   /// What is to be expected of a track: `learned` is what its own poses say. It stays as it is where a new kind is more probable
   /// than each known one. Else the answer has the path that is most probable for that kind, and the types' new probabilities;
@@ -34,9 +56,16 @@ class JointKinds {
   /// conditions. Its agreement with a kind outweighs `rest_odds`, and leaves no doubt of the type.
   LearnedModel predict(const LearnedModel& learned, const Track& track, const ArticulationConfig& config) const;
 
+  /// What is to be expected of a front that was not seen to move, and whose size is known. `at_rest` is the number of fronts of
+  /// any size in view that did not move either, with this one; they are as likely things that never move. The answer stays as
+  /// `resting` unless one kind is more probable than all else. It then is a joint of that kind that was never observed: the
+  /// types' probabilities, axis, covariance, and q from 0 to how far such joints open.
+  LearnedModel expect(const LearnedModel& resting, std::size_t at_rest) const;
+
  private:
   double score(const JointKind& kind) const;
   void merge();
+  void take(std::size_t i, std::vector<JointKind>::iterator kind);
 
   KindsConfig config_;
   FurniturePrior prior_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace cabinet_articulation::core {
 namespace {
@@ -34,6 +35,17 @@ std::vector<Hypothesis> newKinds(const PoseSamples& samples, const TrackNoise& n
   return hypotheses;
 }
 
+/// Indices of the kinds that are tried, in their order.
+std::vector<std::size_t> heaviest(const std::vector<double>& weights) {
+  constexpr std::size_t kMostTried = 16;  // 1 ms each (ours: more kinds of one size are rare)
+  std::vector<std::size_t> indices(weights.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+  indices.resize(std::min(indices.size(), kMostTried));
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
 }  // namespace
 
 ShapePrior unknownKind(const JointShape& direction, const FurniturePrior& prior) {
@@ -51,14 +63,29 @@ ShapePrior unknownKind(const JointShape& direction, const FurniturePrior& prior)
   return unknown;
 }
 
-KindChoice chooseKind(const std::vector<JointKind>& kinds, const PoseSamples& samples, double turns,
+KindWeights weightsOf(const std::vector<JointKind>& kinds, double width, double height) {
+  KindWeights weights;
+  const bool has_size = width > 0 && height > 0;
+  const double any = FrontSides::logDensityOfAny();
+  double largest = any;
+  for (const JointKind& kind : kinds) {
+    weights.kinds.push_back(has_size ? kind.sides().logDensity(width, height) : any);
+    largest = std::max(largest, weights.kinds.back());
+  }
+  for (std::size_t i = 0; i < kinds.size(); ++i) weights.kinds[i] += std::log(static_cast<double>(kinds[i].size())) - largest;
+  weights.any = any - largest;
+  return weights;
+}
+
+KindChoice chooseKind(const std::vector<JointKind>& kinds, const KindWeights& weights, const PoseSamples& samples, double turns,
                       const KindsConfig& kinds_config, const ArticulationConfig& config) {
   const TrackNoise noise = noiseOf(samples, config);
   std::vector<Hypothesis> all = newKinds(samples, noise, turns, kinds_config.novelty, config);
   const double of_new = std::max(all[0].weight, all[1].weight);
-  for (const JointKind& kind : kinds) {
+  for (const std::size_t i : heaviest(weights.kinds)) {
+    const JointKind& kind = kinds[i];
     const ShapeFit fit = fitShape(samples, noise, kind.next(), expectedArc(samples, kind.mean()), config);
-    all.push_back({false, kind.mean().type, fit, fit.log_evidence + std::log(static_cast<double>(kind.size()))});
+    all.push_back({false, kind.mean().type, fit, fit.log_evidence + weights.kinds[i]});
   }
   const Hypothesis& best =
       *std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });

@@ -21,8 +21,19 @@ struct KindChoice {
   double advantage = 0;  ///< [nats] over a new kind
 };
 
-/// `turns`: the same probability if nothing is known of kinds. Kinds count by their joints (Chinese restaurant process).
-KindChoice chooseKind(const std::vector<JointKind>& kinds, const PoseSamples& samples, double turns,
+/// What kinds and others count for a front.
+struct KindWeights {
+  std::vector<double> kinds;  ///< [nats] of each
+  double any = 0;             ///< [nats] of one rectangle of any size
+};
+
+/// Kinds count by their joints (Chinese restaurant process), and by how well they tell the front's size. Those of a new kind may
+/// be as large as those of any known one, so that a size speaks against kinds that do not have it, and for none. A side of 0 is
+/// unknown.
+KindWeights weightsOf(const std::vector<JointKind>& kinds, double width, double height);
+
+/// `turns`: the same probability if nothing is known of kinds. Of many kinds, those that count most are tried.
+KindChoice chooseKind(const std::vector<JointKind>& kinds, const KindWeights& weights, const PoseSamples& samples, double turns,
                       const KindsConfig& kinds_config, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core

@@ -27,24 +27,25 @@ class ArticulationStage : public StageNodelet {
 
  private:
   void start() override {
-    core::ArticulationConfig config;
+    core::LearningConfig config;
     ModelFileConfig file;
     loadSettings(config, file, output_);
-    learner_ = std::make_unique<core::ArticulationLearner>(config);
-    structure_ = std::make_unique<core::StructureFinder>(config);
+    learner_ = std::make_unique<core::ArticulationLearner>(config.articulation);
+    structure_ = std::make_unique<core::StructureFinder>(config.articulation);
     getMTNodeHandle().setCallbackQueue(requests_.queue());
-    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, storeCalls(), guard());
+    store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, config, storeCalls(), guard());
     report([this] { return store_->loadAtStart(); });
-    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config, file.models_file, store_.get(), guard());
+    services_ = std::make_unique<ModelServices>(getMTNodeHandle(), config.articulation, file.models_file, store_.get(), guard());
     services_->countFromClosed(output_.countsFromClosed());
     requests_.start(kRequestThreads);
-    offerTuning<core::ArticulationConfig>(config, [this](const auto& tuned) {
+    offerTuning<core::LearningConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
-      auto learner = std::make_unique<core::ArticulationLearner>(tuned);
-      structure_ = std::make_unique<core::StructureFinder>(tuned);
+      auto learner = std::make_unique<core::ArticulationLearner>(tuned.articulation);
+      structure_ = std::make_unique<core::StructureFinder>(tuned.articulation);
       learner_ = std::move(learner);
       remember(store_->jointModels());
-      services_->setConfig(tuned);
+      store_->kinds().configure(tuned);
+      services_->setConfig(tuned.articulation);
     });
     require(&tracks_topic_);
     prefix_ = jointPrefix(getNodeHandle().getNamespace());
@@ -157,6 +158,7 @@ class ArticulationStage : public StageNodelet {
 
   void learn(const std_msgs::Header& header) {
     std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
+    store_->kinds().complete(store_->tracks(), &models);
     closed_.complete(&models);
     structure_->complete(store_->tracks(), &models);
     noteStructure(models);

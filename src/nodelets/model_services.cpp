@@ -15,6 +15,7 @@
 #include "nodelets/offer_service.h"
 #include "nodelets/stateless_services.h"
 #include "ros/joints.h"
+#include "ros/kind_messages.h"
 
 namespace cabinet_articulation {
 namespace {
@@ -52,6 +53,7 @@ ModelServices::ModelServices(ros::NodeHandle nh, const core::ArticulationConfig&
   advertise<SaveModels>("save_models", &ModelServices::saveModels);
   advertise<LoadModels>("load_models", &ModelServices::loadModels);
   advertise<ExportUrdf>("export_urdf", &ModelServices::exportUrdf);
+  advertise<Kinds>("kinds", &ModelServices::kinds);
   advertise<SetName>("set_name", &ModelServices::setName);
   advertise<std_srvs::Trigger>("reset", &ModelServices::reset);
   const auto settings = [this] { return settingsNow(); };
@@ -151,6 +153,14 @@ void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::R
 void ModelServices::reset(const std_srvs::Trigger::Request&, std_srvs::Trigger::Response* response) {
   store_.reset();
   response->message = "everything is forgotten";
+}
+
+void ModelServices::kinds(const Kinds::Request& request, Kinds::Response* response) {
+  std::lock_guard<std::mutex> learning(store_.learning());
+  if (request.clear) store_.clearKinds();
+  response->kinds = toMessages(store_.kinds().kinds());
+  response->message = std::to_string(response->kinds.size()) + " kinds are known";
+  if (request.clear) response->message = "all kinds are forgotten; fronts that are known teach theirs again when they are seen";
 }
 
 void ModelServices::forget(const Forget::Request& request, Forget::Response* response) {

@@ -6,6 +6,7 @@
 #include <cabinet_articulation/FitTrack.h>
 #include <cabinet_articulation/Forget.h>
 #include <cabinet_articulation/HandlePath.h>
+#include <cabinet_articulation/Kinds.h>
 #include <cabinet_articulation/LoadModels.h>
 #include <cabinet_articulation/Predict.h>
 #include <cabinet_articulation/SaveModels.h>
@@ -55,6 +56,7 @@ class ModelServices {
   void saveModels(const SaveModels::Request& request, SaveModels::Response* response);
   void loadModels(const LoadModels::Request& request, LoadModels::Response* response);
   void exportUrdf(const ExportUrdf::Request& request, ExportUrdf::Response* response);
+  void kinds(const Kinds::Request& request, Kinds::Response* response);
   void forget(const Forget::Request& request, Forget::Response* response);
   void setName(const SetName::Request& request, SetName::Response* response);
   void reset(const std_srvs::Trigger::Request& request, std_srvs::Trigger::Response* response);

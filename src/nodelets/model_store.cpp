@@ -16,8 +16,9 @@ std::uint32_t idAfter(std::uint32_t id) { return id == std::numeric_limits<std::
 
 }  // namespace
 
-ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, StoreCalls calls, const CallbackGuard& guard)
-    : nh_(std::move(nh)), file_(file), calls_(std::move(calls)) {
+ModelStore::ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, const core::LearningConfig& config, StoreCalls calls,
+                       const CallbackGuard& guard)
+    : nh_(std::move(nh)), file_(file), calls_(std::move(calls)), kinds_(config) {
   if (file_.save_at_exit && file_.models_file.empty())
     throw core::ConfigError("save_at_exit is true, and models_file does not say where to save");
   known_fronts_ = nh_.advertise<KnownFrontArray>(
@@ -54,6 +55,8 @@ std::string ModelStore::load(const std::string& file) {
                                  frame_id_ + "'; nothing is loaded");
     removed_.loaded(models.fronts);
     restart(models);
+    kinds_.startFrom(models.kinds, modelsOf(models.fronts));
+    replaces_kinds_ = false;
   }
   calls_.file_was_good();
   const std::string changes = core::inWords(models.changes);
@@ -72,13 +75,20 @@ std::string ModelStore::save(const std::string& file) {
   core::ModelFile models;
   std::vector<core::LearnedModel> removed;
   {
+    std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
     models = {frame_id_, known_.joints()};
+    std::set<std::uint32_t> ids;
+    for (const core::KnownFront& front : models.fronts) ids.insert(front.model.id);
+    models.kinds = kinds_.votesBeside(ids);
+    models.replaces_kinds = replaces_kinds_;
     removed = removed_.in(file);
   }
   const core::SavedModels saved = core::saveModelFile(file, models, removed);
   calls_.file_was_good();
+  std::lock_guard<std::mutex> learning(learning_);
   std::lock_guard<std::mutex> lock(mutex_);
+  replaces_kinds_ = false;
   removed_.saved(file, models.fronts);
   return saved.inWords(file);
 }
@@ -86,8 +96,10 @@ std::string ModelStore::save(const std::string& file) {
 std::string ModelStore::saveAtExit() {
   if (!file_.save_at_exit) return "";
   {
+    std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
-    if (known_.jointModels().empty() && removed_.empty()) return "nothing was learned that could be saved";
+    const bool no_kinds = kinds_.kinds().empty() && !replaces_kinds_;
+    if (known_.jointModels().empty() && removed_.empty() && no_kinds) return "nothing was learned that could be saved";
   }
   return save(file_.models_file);
 }
@@ -102,6 +114,7 @@ std::string ModelStore::forget(std::uint32_t id) {
     model = known_.forget(id);
     frame = frame_id_;
     calls_.forget(id);
+    kinds_.forget(id);
     removed_.add(model);
     forgotten_.insert(id);
     known_fronts_.publish(listOf({frame_id_, known_.joints()}));
@@ -122,6 +135,12 @@ void ModelStore::reset() {
   std::lock_guard<std::mutex> lock(mutex_);
   for (const core::LearnedModel& model : known_.jointModels()) removed_.add(model);
   restart({frame_id_, {}});
+  clearKinds();
+}
+
+void ModelStore::clearKinds() {
+  kinds_.reset();
+  replaces_kinds_ = true;
 }
 
 std::string ModelStore::setName(std::uint32_t id, const std::string& name) {
@@ -193,6 +212,7 @@ void ModelStore::restart(const core::ModelFile& models) {
     forgotten_.erase(front.model.id);
   }
   calls_.start_from(modelsOf(models.fronts));
+  kinds_.keepFronts(modelsOf(models.fronts));
   known_.replace(models.fronts);
   if (!models.fronts.empty()) frame_id_ = models.frame;
   // A number that no run before had, so that a nodelet that was started again is not mistaken for its predecessor.

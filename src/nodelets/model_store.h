@@ -14,6 +14,7 @@
 #include "cabinet_articulation/joints/known_fronts.h"
 #include "cabinet_articulation/joints/model_file.h"
 #include "joints/removed_fronts.h"
+#include "kinds/kind_memory.h"
 #include "nodelets/generation_watch.h"
 #include "nodelets/settings.h"
 #include "ros/callback_guard.h"
@@ -37,7 +38,8 @@ struct StoreCalls {
 class ModelStore {
  public:
   /// `nh`: where the topic lives. What goes wrong while somebody is told of known fronts goes to the guard.
-  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, StoreCalls calls, const CallbackGuard& guard);
+  ModelStore(ros::NodeHandle nh, const ModelFileConfig& file, const core::LearningConfig& config, StoreCalls calls,
+             const CallbackGuard& guard);
   ~ModelStore() { known_fronts_.shutdown(); }
 
   // Each says how it went; they throw core::ModelFileError, and have changed nothing then.
@@ -57,6 +59,12 @@ class ModelStore {
 
   /// To be held while tracks are learned from, from judge() to update(): so a reset comes between two frames.
   std::mutex& learning() { return learning_; }
+
+  /// The kinds of what was learned, in files too. With learning() held.
+  core::KindMemory& kinds() { return kinds_; }
+
+  /// Forgets all kinds, and those of the file at the next save. With learning() held.
+  void clearKinds();
 
   /// Whether these tracks are to be learned from. With learning() held.
   GenerationWatch::Verdict judge(const TrackArray& tracks);
@@ -100,7 +108,9 @@ class ModelStore {
   // Waited for in this order.
   std::mutex filing_;  ///< held while a file is written, and while something is removed from what is known
   std::mutex learning_;
-  mutable std::mutex mutex_;  ///< guards what follows
+  core::KindMemory kinds_;       ///< guarded by learning_
+  bool replaces_kinds_ = false;  ///< likewise: the next save forgets those of the file
+  mutable std::mutex mutex_;     ///< guards what follows
   core::KnownFronts known_;
   core::RemovedFronts removed_;
   std::set<std::uint32_t> forgotten_;  ///< ids

@@ -84,10 +84,17 @@ ArticulationConfig paperArticulation() {
   return config;
 }
 
+/// Each front is learned by itself.
+KindsConfig paperKinds() {
+  KindsConfig config;
+  config.kinds = false;
+  return config;
+}
+
 }  // namespace
 
 PipelineConfig PipelineConfig::paper() {
-  return {paperStereo(), paperPlanes(), paperRectangles(), paperTracking(), paperArticulation()};
+  return {paperStereo(), paperPlanes(), paperRectangles(), paperTracking(), paperArticulation(), paperKinds()};
 }
 
 }  // namespace cabinet_articulation::core

@@ -9,6 +9,7 @@
 #include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
 #include "geometry/message_precision.h"
+#include "kinds/kind_memory.h"
 #include "pipeline/as_sent.h"
 
 namespace cabinet_articulation::core {
@@ -37,7 +38,9 @@ PipelineConfig PipelineConfig::load(const std::string& directory, std::vector<st
   config.planes = loadOrDefault<PlanesConfig>(directory + "/planes.yaml", warnings);
   config.rectangles = loadOrDefault<RectanglesConfig>(directory + "/rectangles.yaml", warnings);
   config.tracking = loadOrDefault<TrackingConfig>(directory + "/tracking.yaml", warnings);
-  config.articulation = loadOrDefault<ArticulationConfig>(directory + "/articulation.yaml", warnings);
+  const auto learning = loadOrDefault<LearningConfig>(directory + "/articulation.yaml", warnings);
+  config.articulation = learning.articulation;
+  config.kinds = learning.kinds;
   return config;
 }
 
@@ -47,6 +50,7 @@ Pipeline::Pipeline(const PipelineConfig& config)
       rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
       articulation_(config.articulation),
+      kinds_(std::make_unique<KindMemory>(LearningConfig{config.articulation, config.kinds})),
       closed_(std::make_unique<ClosedFinder>()),
       structure_(std::make_unique<StructureFinder>(config.articulation)) {}
 
@@ -79,6 +83,7 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.models = timed(times.articulation, [&] {
     known_.follow(asSent(result.track_updates));
     std::vector<LearnedModel> models = articulation_.process(known_.tracks());
+    kinds_->complete(known_.tracks(), &models);
     closed_->see(result.view);
     closed_->complete(&models);
     structure_->complete(known_.tracks(), &models);
@@ -97,6 +102,7 @@ void Pipeline::reset() {
   joints_.clear();
   joints_are_new_ = joints_are_due_ = false;
   articulation_.reset();
+  kinds_->reset();
   closed_->reset();
   structure_->reset();
 }
@@ -114,6 +120,7 @@ void Pipeline::startAfresh() {
   known_.replace(joints);
   articulation_.reset();
   articulation_.remember(thoseOfTheWorld(models));
+  kinds_->keepFronts(models);
   closed_->reset();
   closed_->remember(thoseOfTheWorld(models));
   structure_->reset();

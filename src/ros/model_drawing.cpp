@@ -32,12 +32,16 @@ std::string shortLabelOf(const core::LearnedModel& model) {
 
 std::string labelOf(const core::LearnedModel& model) {
   const std::string front = shortLabelOf(model);
-  if (!model.moved) return front + " no motion yet";
-  if (!isJoint(model)) return front + " moved, no joint fits";
-  char text[128], opening[16] = "";
-  const double scale = countsRadians(model) ? core::toDegrees(1) : 100;
   const auto index = static_cast<size_t>(model.type);
   const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
+  char text[128], opening[16] = "";
+  if (!model.moved && !model.observed) {
+    std::snprintf(text, sizeof(text), " %s %.0f %% expected", core::modelName(model.type), 100 * probability);
+    return front + text;
+  }
+  if (!model.moved) return front + " no motion yet";
+  if (!isJoint(model)) return front + " moved, no joint fits";
+  const double scale = countsRadians(model) ? core::toDegrees(1) : 100;
   if (model.closed_known) std::snprintf(opening, sizeof(opening), ", %.0f %% open", 100 * model.opening);
   std::snprintf(text, sizeof(text), " %s %.0f %%%s, %.0f %s (%.0f to %.0f)", core::modelName(model.type), 100 * probability,
                 opening, scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);

@@ -33,15 +33,16 @@ struct Options {
   std::vector<std::string> kinds;  ///< logs that teach kinds of joints
   std::string plot;                ///< a picture; empty: none
   ArticulationConfig config;
+  KindsConfig kinds_config;  ///< for `kinds`
 };
 
 /// The settings that other options change. Throws ConfigError.
-ArticulationConfig baseConfig(int argc, char** argv) {
+LearningConfig baseConfig(int argc, char** argv) {
   const auto option = std::find(argv + 1, argv + argc, std::string("--config"));
   if (option == argv + argc) return {};
   if (option + 1 == argv + argc) throw ConfigError("--config needs a folder");
   std::vector<std::string> warnings;
-  const auto config = loadConfig<ArticulationConfig>(std::string(option[1]) + "/articulation.yaml", &warnings);
+  const auto config = loadConfig<LearningConfig>(std::string(option[1]) + "/articulation.yaml", &warnings);
   for (const std::string& warning : warnings) std::fprintf(stderr, "fit_track: %s\n", warning.c_str());
   return config;
 }
@@ -49,7 +50,9 @@ ArticulationConfig baseConfig(int argc, char** argv) {
 /// Throws ConfigError for an option that is unknown, incomplete or out of range.
 Options parseOptions(int argc, char** argv) {
   Options options;
-  options.config = baseConfig(argc, argv);
+  const LearningConfig base = baseConfig(argc, argv);
+  options.config = base.articulation;
+  options.kinds_config = base.kinds;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto value = [&](const char* what) {
@@ -143,7 +146,7 @@ void plotFile(const std::string& file, const Options& options) {
 
 /// Throws PoseLogError.
 JointKinds learnKinds(const Options& options) {
-  JointKinds kinds({}, options.config.prior);
+  JointKinds kinds(options.kinds_config, options.config.prior);
   for (const std::string& file : options.kinds) {
     const LogToFit log = readLog(file, options);
     warnOf(file, log);

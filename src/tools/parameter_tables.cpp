@@ -33,7 +33,7 @@ const std::vector<ParameterTable>& parameterTables() {
       table<core::PlanesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("planes"),
       table<core::RectanglesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("rectangles"),
       table<core::TrackingConfig, FixedFrameConfig, StageSettings>("tracking"),
-      table<core::ArticulationConfig, ModelFileConfig, FrameOutputConfig, StageSettings>("articulation"),
+      table<core::LearningConfig, ModelFileConfig, FrameOutputConfig, StageSettings>("articulation"),
       table<FrameInputConfig, ImageTransportConfig, StageSettings>("overlay"),
       table<core::SimulationConfig, SimulatedCameraSettings>("simulated_stereo_camera"),
   };

@@ -20,7 +20,7 @@ Config tuned(const core::ConfigValues& values) {
 fuzz::Seeds fuzz::seeds() {
   return {{"0" + serialized(toTuning(core::StereoConfig())), "1" + serialized(toTuning(core::PlanesConfig())),
            "2" + serialized(toTuning(core::RectanglesConfig())), "3" + serialized(toTuning(core::TrackingConfig())),
-           "4" + serialized(toTuning(core::ArticulationConfig()))}};
+           "4" + serialized(toTuning(core::LearningConfig()))}};
 }
 
 /// What rqt_reconfigure sends to a stage, whose number is the first byte.
@@ -32,6 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (stage == '1') core::PlaneSegmenter{tuned<core::PlanesConfig>(values)};
     if (stage == '2') core::RectangleDetector{tuned<core::RectanglesConfig>(values), {}};
     if (stage == '3') core::RectangleTracker{tuned<core::TrackingConfig>(values)};
-    if (stage == '4') core::ArticulationLearner{tuned<core::ArticulationConfig>(values)};
+    if (stage == '4') core::ArticulationLearner{tuned<core::LearningConfig>(values).articulation};
   });
 }

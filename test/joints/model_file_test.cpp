@@ -140,6 +140,73 @@ TEST_F(ModelFiles, WithBadNamesAreRefused) {
   expectRefused("front 2: its name is there twice");
 }
 
+std::vector<JointShape> twoKinds() {
+  JointShape door;
+  door.type = JointType::kRotational;
+  door.frame = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, -3).normalized()).toRotationMatrix();
+  door.radius = 0.1234567;
+  door.width = 0.25;
+  door.height = 0.6;
+  door.range = 1.5;
+  JointShape drawer;
+  drawer.width = drawer.height = 0.3;
+  return {door, drawer};
+}
+
+TEST_F(ModelFiles, KeepKindsOfFrontsThatAreForgotten) {
+  ModelFile models{"map", {learned(test::doorModel())}};
+  models.kinds = twoKinds();
+  EXPECT_THAT(saveModelFile(path_, models).inWords(path_), HasSubstr("the joints of 2 fronts that are not known any more"));
+  const std::vector<JointShape> kinds = readModelFile(path_).kinds;
+  ASSERT_EQ(kinds.size(), 2u);
+  EXPECT_EQ(kinds[0].type, JointType::kRotational);
+  EXPECT_TRUE(kinds[0].frame.isApprox(models.kinds[0].frame, 1e-10));
+  for (const auto& field : {&JointShape::radius, &JointShape::width, &JointShape::height, &JointShape::range})
+    EXPECT_NEAR(kinds[0].*field, models.kinds[0].*field, 1e-10);
+  EXPECT_EQ(kinds[1].type, JointType::kPrismatic);
+  EXPECT_EQ(saveModelFile(path_, models).kinds, 2u) << "the same ones";
+  models.kinds[1].height = 0.4;
+  EXPECT_EQ(saveModelFile(path_, models).kinds, 3u) << "of both";
+  EXPECT_EQ(removeFromModelFile(path_, "map", {test::doorModel()}), 1u);
+  EXPECT_EQ(readModelFile(path_).kinds.size(), 3u) << "the kind of a front that is gone exists all the same";
+  models.replaces_kinds = true;
+  models.kinds.clear();
+  EXPECT_EQ(saveModelFile(path_, models).kinds, 0u);
+}
+
+TEST_F(ModelFiles, OfAnotherFrameGiveTheirKinds) {
+  ModelFile models{"odom", {learned(test::doorModel())}};
+  models.kinds = twoKinds();
+  saveModelFile(path_, models);
+  const SavedModels saved = saveModelFile(path_, {"map", {learned(test::drawerModel())}});
+  EXPECT_NE(saved.kept, "");
+  EXPECT_EQ(readModelFile(path_).kinds.size(), 2u) << "kinds are in no frame";
+}
+
+TEST_F(ModelFiles, OlderThanKindsHaveNone) {
+  saveModelFile(path_, {"map", {learned(test::doorModel())}});
+  EXPECT_EQ(text().find("kinds"), std::string::npos);
+  EXPECT_TRUE(readModelFile(path_).kinds.empty());
+}
+
+TEST_F(ModelFiles, WithBadKindsAreRefused) {
+  ModelFile models{"map", {}};
+  models.kinds = twoKinds();
+  saveModelFile(path_, models);
+  damage("radius: 0.1234567", "radius: 0");
+  expectRefused("joint 1 of 'kinds': 'radius' is 0");
+  damage("radius: 0", "radius: .inf");
+  expectRefused("joint 1 of 'kinds': 'radius' is missing or no finite number");
+  damage("radius: .inf", "radius: 0.2");
+  damage("type: prismatic", "type: screw");
+  expectRefused("joint 2 of 'kinds': 'type' is screw, expected prismatic or rotational");
+  damage("type: screw", "type: prismatic");
+  damage("frame: [0, 0, 0, 1]", "frame: [0, 0, 1, 1]");
+  expectRefused("joint 2 of 'kinds': 'frame' has no unit quaternion");
+  damage("frame: [0, 0, 1, 1]", "frame: [0, 0, 1]");
+  expectRefused("joint 2 of 'kinds': 'frame' is not a list of 4 numbers");
+}
+
 TEST_F(ModelFiles, OlderThanTheEndsOfARangeKnowOfNone) {
   saveModelFile(path_, {"map", {learned(test::doorModel())}});
   damage("    q_min_is_end: true\n", "");

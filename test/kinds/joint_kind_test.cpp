@@ -82,7 +82,7 @@ TEST(JointKind, JointsOutweighTheSpreadBeforehand) {
   const auto sigma = [](const std::vector<JointShape>& shapes) {
     return 1 / std::sqrt(JointKind(shapes, KindsConfig()).next().precision(3, 3));
   };
-  EXPECT_LT(sigma(alike), KindsConfig().size_spread / 2);
+  EXPECT_LT(sigma(alike), KindsConfig().radius_spread / 2);
   EXPECT_NEAR(sigma(unlike), 0.2, 0.02);
 }
 

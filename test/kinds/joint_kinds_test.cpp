@@ -3,34 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "articulation/synthetic_tracks.h"
+#include "kinds/fronts_elsewhere.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-/// The i-th of some places in a house, none like another.
-Eigen::Isometry3d place(int i) {
-  return Eigen::Translation3d(i, -0.5 * i, 0.2 * i) * Eigen::AngleAxisd(0.7 * i, Eigen::Vector3d(0.1 * i, 0.2, 1).normalized());
-}
-
-Track moved(Track track, const Eigen::Isometry3d& by) {
-  for (TrackedObservation& observation : track.observations) observation.rectangle.pose = by * observation.rectangle.pose;
-  return track;
-}
-
-/// The front at place(i), opened from 0 to `q_end`.
-Track trackAt(SyntheticFront front, int i, double q_end) {
-  front.q_end = q_end;
-  front.poses = 60;
-  front.seed = static_cast<unsigned>(i + 1);
-  return moved(syntheticTrack(front), place(i));
-}
-
-SyntheticFront doorOf(double width) {
-  SyntheticFront front = door();
-  front.width = width;
-  return front;
-}
+using test::doorOf;
+using test::errorAt;
+using test::moved;
+using test::place;
+using test::trackAt;
 
 /// Doors of `width` at other places, opened widely.
 void teach(const SyntheticFront& front, double q_end, int count, JointKinds* kinds) {
@@ -38,12 +20,6 @@ void teach(const SyntheticFront& front, double q_end, int count, JointKinds* kin
     const Track track = trackAt(front, i, q_end);
     ASSERT_TRUE(kinds->add(learn(track), track, {}));
   }
-}
-
-/// [m] How far the prediction is from the front at `q`, at the nearest of its own openings.
-double errorAt(const LearnedModel& model, const SyntheticFront& front, int i, double q) {
-  const Eigen::Isometry3d truth = place(i) * truePose(front, q);
-  return (model.predict(model.configuration(truth)).translation() - truth.translation()).norm();
 }
 
 TEST(JointKinds, PredictsTheWholeRangeOfADoorOfAKnownKindElsewhere) {

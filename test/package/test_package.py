@@ -24,11 +24,11 @@ LAYERS = {
     'rectangles': {'config', 'geometry', 'stereo', 'planes'},
     'tracking': {'config', 'geometry', 'rectangles'},
     'articulation': {'config', 'geometry', 'rectangles', 'tracking'},
-    'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
     'kinds': {'config', 'geometry', 'rectangles', 'tracking', 'articulation'},
+    'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation', 'kinds'},
     'closing': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints'},
     'structure': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints', 'closing'},
-    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'joints', 'closing', 'structure'},
+    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'kinds', 'joints', 'closing', 'structure'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
 # Numbers that somebody chose (count_numbers.py): constants, other literals, defaults of settings. Lower them with the code.

@@ -58,7 +58,7 @@ TEST(LiveSettings, ValuesGoThereAndBack) {
 }
 
 TEST(LiveSettings, EveryDefaultLiesInItsRange) {
-  const auto description = describeForTuning<core::ArticulationConfig>();
+  const auto description = describeForTuning<core::LearningConfig>();
   for (size_t i = 0; i < description.dflt.doubles.size(); ++i) {
     EXPECT_LE(description.min.doubles[i].value, description.dflt.doubles[i].value) << description.dflt.doubles[i].name;
     EXPECT_GE(description.max.doubles[i].value, description.dflt.doubles[i].value) << description.dflt.doubles[i].name;

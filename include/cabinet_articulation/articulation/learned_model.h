@@ -30,7 +30,7 @@ struct LearnedModel {
   std::vector<double> probabilities;  ///< index = JointType
   bool moved = false;                 ///< false: not enough motion to tell yet
   bool explained = true;              ///< false: moved, but no model describes it ("none of these")
-  bool observed = true;               ///< false: expected to be a joint, but never seen to move
+  bool observed = true;               ///< false: expected to be a joint of a known kind, but never seen to move
   bool hollow = false;                ///< seen to be a frame around a hole
   double support = 0;                 ///< observations at different places on the joint's path; 0: it is not established yet
   double doubt = 0;                   ///< how near observations off the path are to outweighing those; 1: it was given up

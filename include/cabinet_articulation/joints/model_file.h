@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cabinet_articulation/joints/known_fronts.h"
+#include "cabinet_articulation/kinds/joint_shape.h"
 
 namespace cabinet_articulation::core {
 
@@ -15,11 +16,14 @@ class ModelFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a file of learned models holds: joints, and a thinned history of each, so that learning goes on where it stopped.
+/// What a file of learned models holds: joints, and a thinned history of each, so that learning goes on where it stopped. Kinds
+/// are those of these joints and of some more.
 struct ModelFile {
   std::string frame;  ///< of all poses
   std::vector<KnownFront> fronts;
   std::vector<IdChange> changes = {};  ///< of a file that gives a front the id 0, which is nobody's
+  std::vector<JointShape> kinds = {};  ///< joints of fronts that are not known any more
+  bool replaces_kinds = false;         ///< when this is saved, `kinds` of the file are forgotten
 };
 
 /// How saving went.
@@ -29,6 +33,7 @@ struct SavedModels {
   std::vector<IdChange> changes;             ///< of the file's fronts
   std::vector<IdChange> known_changes = {};  ///< of those whose ids a file cannot hold
   std::vector<NameChange> renamed = {};      ///< of the file's fronts
+  std::size_t kinds = 0;                     ///< joints of fronts that are not known any more
   std::string kept = {};                     ///< why the file that was there could not be merged, and where it is; or empty
 
   /// "3 fronts saved to 'FILE', 1 of them ...".
@@ -42,10 +47,10 @@ struct SavedModels {
  * ends with a process that dies. What a saver that died has left behind is cleared away by the next.
  */
 
-/// Merges the models into what the file holds, without what was `removed`. Of two fronts in one place that of `models` stays,
-/// unless the file's is much better known. A model file that is damaged, of another version or in another frame cannot be merged.
-/// It is kept beside the new one as FILE.kept-1 (or the next number that is free, up to 100). Throws ModelFileError; also for
-/// what is there and is no model file, and stays as it is.
+/// Merges models and kinds into what the file holds, without what was `removed`. Of two fronts in one place that of `models`
+/// stays, unless the file's is much better known. A model file that is damaged, of another version or in another frame cannot be
+/// merged. It is kept beside the new one as FILE.kept-1 (or the next number that is free, up to 100). Throws ModelFileError; also
+/// for what is there and is no model file, and stays as it is.
 SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<LearnedModel>& removed = {});
 
 /// Takes the fronts of these places from the file, and returns how many there were. A file that is missing or in another frame

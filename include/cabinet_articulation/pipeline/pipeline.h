@@ -9,6 +9,7 @@
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/joints/known_fronts.h"
+#include "cabinet_articulation/kinds/kinds_config.h"
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
@@ -19,6 +20,7 @@
 namespace cabinet_articulation::core {
 
 class ClosedFinder;
+class KindMemory;
 class StructureFinder;
 
 /// The settings of all five stages.
@@ -28,6 +30,7 @@ struct PipelineConfig {
   RectanglesConfig rectangles;
   TrackingConfig tracking;
   ArticulationConfig articulation;
+  KindsConfig kinds;  ///< in articulation.yaml too
 
   /// Reads <directory>/{stereo,planes,rectangles,tracking,articulation}.yaml; a missing file keeps that stage's defaults.
   /// Throws ConfigError, also when there is no such directory; warnings about unknown keys are appended.
@@ -94,6 +97,7 @@ class Pipeline {
   bool joints_are_new_ = false;  ///< to be told after the next frame
   bool joints_are_due_ = false;  ///< to be told now
   ArticulationLearner articulation_;
+  std::unique_ptr<KindMemory> kinds_;
   std::unique_ptr<ClosedFinder> closed_;
   std::unique_ptr<StructureFinder> structure_;
 };

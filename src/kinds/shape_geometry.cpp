@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kinds/joint_shape.h"
+#include "kinds/shape_geometry.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace cabinet_articulation::core {
@@ -29,6 +31,12 @@ JointShape shapeOf(const LearnedModel& joint, const Eigen::Matrix3d& start) {
   const Eigen::Vector3d opening = turns ? Eigen::Vector3d(to_axis.cross(joint.axis)) : joint.axis;
   shape.frame = start.transpose() * arcFrame(opening, turns ? to_axis : Eigen::Vector3d::Zero());
   shape.radius = turns ? joint.radius : 0;
+  shape.width = joint.width;
+  shape.height = joint.height;
+  shape.range = joint.q_max - joint.q_min;
+  shape.front = joint.id;
+  constexpr double kInwards = -0.5;  // cosine of 120 degrees from the normal: what slides sideways stays as it was seen
+  if (shape.hasSize() && shape.frame(2, 0) < kInwards) shape.frame = shape.frame * Eigen::Vector3d(-1, 1, -1).asDiagonal();
   return shape;
 }
 
@@ -62,6 +70,22 @@ JointShape meanShape(const std::vector<JointShape>& shapes) {
     mean = moved(mean, sum / static_cast<double>(shapes.size()));
   }
   return mean;
+}
+
+ShapeSigmas shapeSigmas(const LearnedModel& joint) {
+  const Eigen::Matrix3d of_axis = joint.covariance.bottomRightCorner<3, 3>();
+  // A turn of the axis about itself changes nothing.
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - joint.axis * joint.axis.transpose();
+  const Eigen::Matrix3d tilt = across * of_axis * across;
+  double turn = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tilt).eigenvalues().maxCoeff(), radius = 0;
+  if (joint.type == JointType::kRotational) {
+    const Eigen::Matrix3d of_point = joint.covariance.topLeftCorner<3, 3>() / (joint.radius * joint.radius);
+    const Eigen::Vector3d outwards = (joint.origin.translation() - joint.axis_point).normalized();
+    const Eigen::Vector3d along = joint.axis.cross(outwards);
+    turn = std::max(turn, along.dot(of_point * along));
+    radius = outwards.dot(of_point * outwards);
+  }
+  return {std::sqrt(std::max(0.0, turn)), std::sqrt(std::max(0.0, radius))};
 }
 
 }  // namespace cabinet_articulation::core
