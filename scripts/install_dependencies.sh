@@ -22,7 +22,9 @@ debian_packages=(
   libstereo-image-proc-dev ros-stereo-image-proc
   ros-robot-state-publisher joint-state-publisher
   librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
-  python3-dynamic-reconfigure rviz
+  python3-dynamic-reconfigure
+  # RViz and what a plugin for it needs, and a display to test it on
+  rviz librviz-dev xvfb libgl1-mesa-dri
   # for rostopic echo
   python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs
   python3-visualization-msgs python3-tf2-msgs
@@ -35,8 +37,9 @@ debian_packages=(
   libbenchmark-dev python3-matplotlib python3-pil
 )
 
-# Plugins for compressed images, which Debian has from 13 on.
+# Plugins for compressed images, which Debian has from 13 on, and the points of depth cameras in RViz.
 optional_packages=(
+  libdepth-image-proc-dev
   ros-compressed-image-transport ros-compressed-image-transport-dev
   ros-compressed-depth-image-transport ros-compressed-depth-image-transport-dev
 )
@@ -68,7 +71,7 @@ install_noetic() {
   as_root apt-get update -q
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
     g++ make cmake libgtest-dev libgmock-dev python3-pytest python3-rosdep python3-catkin-lint \
-    ros-noetic-compressed-image-transport ros-noetic-compressed-depth-image-transport
+    ros-noetic-compressed-image-transport ros-noetic-compressed-depth-image-transport xvfb libgl1-mesa-dri
   [ -d /etc/ros/rosdep/sources.list.d ] || as_root rosdep init
   rosdep update --include-eol-distros --rosdistro noetic
   rosdep install --from-paths "$here/.." --ignore-src --rosdistro noetic -y

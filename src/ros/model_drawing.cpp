@@ -11,12 +11,7 @@
 namespace cabinet_articulation {
 namespace {
 
-constexpr int kSweepSteps = 8;
 constexpr int kWaySteps = 16;
-
-bool countsRadians(const core::LearnedModel& model) {
-  return core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian;
-}
 
 }  // namespace
 
@@ -24,6 +19,10 @@ Color colorOf(const core::LearnedModel& model) {
   if (!model.moved) return core::palette::kGrey;
   if (!isJoint(model)) return core::palette::kOrange;
   return core::modelEntry(model.type).color;
+}
+
+bool countsRadians(const core::LearnedModel& model) {
+  return core::modelEntry(model.type).unit == core::ConfigurationUnit::kRadian;
 }
 
 std::string shortLabelOf(const core::LearnedModel& model) {
@@ -42,9 +41,11 @@ std::string labelOf(const core::LearnedModel& model) {
   if (!model.moved) return front + " no motion yet";
   if (!isJoint(model)) return front + " moved, no joint fits";
   const double scale = countsRadians(model) ? core::toDegrees(1) : 100;
+  // Rounded first: what is next to nothing has no sign.
+  const auto rounded = [scale](double q) { return std::round(scale * q) + 0.0; };
   if (model.closed_known) std::snprintf(opening, sizeof(opening), ", %.0f %% open", 100 * model.opening);
   std::snprintf(text, sizeof(text), " %s %.0f %%%s, %.0f %s (%.0f to %.0f)", core::modelName(model.type), 100 * probability,
-                opening, scale * model.q, countsRadians(model) ? "deg" : "cm", scale * model.q_min, scale * model.q_max);
+                opening, rounded(model.q), countsRadians(model) ? "deg" : "cm", rounded(model.q_min), rounded(model.q_max));
   return front + text;
 }
 
@@ -63,11 +64,10 @@ std::vector<Eigen::Vector3d> wayOf(const core::LearnedModel& model, double from,
   return way;
 }
 
-std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model) {
+std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model, int steps) {
   std::vector<core::Rectangle> fronts;
   if (!isJoint(model)) return fronts;
-  for (int i = 0; i <= kSweepSteps; ++i)
-    fronts.push_back(frontAt(model, model.q_min + (model.q_max - model.q_min) * i / kSweepSteps));
+  for (int i = 0; i <= steps; ++i) fronts.push_back(frontAt(model, model.q_min + (model.q_max - model.q_min) * i / steps));
   return fronts;
 }
 

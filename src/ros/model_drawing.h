@@ -26,6 +26,9 @@ constexpr Color kWayColor{1, 1, 1};  ///< in images, from q = 0 to now
 /// Grey: not enough motion yet; orange: no model describes it; else that of the joint's type.
 Color colorOf(const core::LearnedModel& model);
 
+/// True where q is an angle.
+bool countsRadians(const core::LearnedModel& model);
+
 /// "3 fridge": a front is asked for by its number, and people look for its name.
 std::string shortLabelOf(const core::LearnedModel& model);
 
@@ -38,7 +41,8 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& mod
 /// The way of the front's centre between two openings.
 std::vector<Eigen::Vector3d> wayOf(const core::LearnedModel& model, double from, double to);
 
-/// Fronts over the range that was seen, q_min and q_max included; nothing for what is no joint.
-std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model);
+/// Fronts over the range that was seen, in even steps, q_min and q_max included; nothing for what is no joint.
+constexpr int kSweepSteps = 8;
+std::vector<core::Rectangle> sweepOf(const core::LearnedModel& model, int steps = kSweepSteps);
 
 }  // namespace cabinet_articulation

@@ -69,6 +69,8 @@ class InstallSpace(InstalledPackage):
         self.assertEqual(str(SHARE), here('rospack', 'find', PACKAGE).strip())
         plugins = here('rospack', 'plugins', '--attrib=plugin', 'nodelet')
         self.assertIn('%s %s/nodelet_plugins.xml\n' % (PACKAGE, SHARE), plugins)
+        plugins = here('rospack', 'plugins', '--attrib=plugin', 'rviz')
+        self.assertIn('%s %s/rviz_plugins.xml\n' % (PACKAGE, SHARE), plugins)
         for folder in ('config', 'config/paper', 'launch', 'msg', 'srv', 'rviz'):
             source, copy = ({path.name for path in (root / folder).iterdir() if path.is_file()} for root in (ROOT, SHARE))
             self.assertEqual(source, copy)

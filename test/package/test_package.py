@@ -40,7 +40,7 @@ MOST_NUMBERS = {
 }
 # Folders of src/articulation, in the order of the data: each may use those before it.
 LEARNER_STEPS = ['paths', 'observations', 'fitting', 'models', 'decision', 'learner']
-FOLDERS = [*LAYERS, 'ros', 'nodelets', 'tools', 'bridge']
+FOLDERS = [*LAYERS, 'ros', 'nodelets', 'rviz_plugin', 'tools', 'bridge']
 ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'
                          r'image_geometry|diagnostic_updater|pcl_ros|pcl_conversions|xmlrpcpp|\w+_msgs)/|^XmlRpc')
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)

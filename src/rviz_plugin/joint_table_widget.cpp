@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rviz_plugin/joint_table_widget.h"
+
+#include <QHeaderView>
+#include <QProgressBar>
+#include <cmath>
+
+namespace cabinet_articulation {
+
+JointTableWidget::JointTableWidget(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+  setObjectName("joints");
+  setHorizontalHeaderLabels({"Name", "Type", "Opening", "Range", "State"});
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  verticalHeader()->setToolTip("The front's id.");
+  horizontalHeader()->setStretchLastSection(true);
+  horizontalHeader()->setSectionResizeMode(kType, QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(kRange, QHeaderView::ResizeToContents);
+  connect(this, &QTableWidget::itemChanged, this, &JointTableWidget::nameChanged);
+}
+
+void JointTableWidget::showRows(const std::vector<JointRow>& rows) {
+  const std::uint32_t selected = selectedId();
+  bool same = rows.size() == rows_.size();
+  for (std::size_t i = 0; same && i < rows.size(); ++i) same = rows[i].id == rows_[i].id;
+  filling_ = true;
+  if (!same) {
+    clearSelection();
+    setCurrentItem(nullptr);
+    setRowCount(static_cast<int>(rows.size()));
+  }
+  rows_ = rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) showRow(static_cast<int>(i), rows[i]);
+  for (std::size_t i = 0; !same && i < rows.size(); ++i)
+    if (rows[i].id == selected) selectRow(static_cast<int>(i));
+  filling_ = false;
+  // Else a person's editor would be closed by every message.
+  if (!same) Q_EMIT itemSelectionChanged();
+}
+
+void JointTableWidget::showRow(int row, const JointRow& joint) {
+  auto* id = new QTableWidgetItem(QString::number(joint.id));
+  setVerticalHeaderItem(row, id);
+  setText(row, kName, joint.name);
+  setText(row, kType, joint.type);
+  setText(row, kRange, joint.range);
+  setText(row, kState, joint.state);
+  item(row, kType)->setToolTip(QString::fromStdString(joint.probabilities));
+  item(row, kState)->setToolTip(item(row, kState)->text());
+  QProgressBar* opening = bar(row);
+  opening->setVisible(!joint.q.empty());
+  opening->setValue(static_cast<int>(std::lround(100 * joint.opening)));
+  opening->setFormat(QString::fromStdString(joint.q));
+}
+
+void JointTableWidget::setText(int row, Column column, const std::string& text) {
+  QTableWidgetItem* cell = item(row, column);
+  if (!cell) {
+    cell = new QTableWidgetItem;
+    if (column != kName) cell->setFlags(cell->flags() & ~Qt::ItemIsEditable);
+    setItem(row, column, cell);
+  }
+  const bool edited = state() == EditingState && currentItem() == cell;
+  if (!edited && cell->text() != QString::fromStdString(text)) cell->setText(QString::fromStdString(text));
+}
+
+QProgressBar* JointTableWidget::bar(int row) {
+  auto* opening = qobject_cast<QProgressBar*>(cellWidget(row, kOpening));
+  if (opening) return opening;
+  opening = new QProgressBar;
+  opening->setRange(0, 100);
+  setCellWidget(row, kOpening, opening);
+  return opening;
+}
+
+std::uint32_t JointTableWidget::selectedId() const {
+  const QModelIndexList chosen = selectionModel()->selectedRows();
+  if (chosen.isEmpty() || static_cast<std::size_t>(chosen.front().row()) >= rows_.size()) return 0;
+  return rows_[static_cast<std::size_t>(chosen.front().row())].id;
+}
+
+void JointTableWidget::nameChanged(QTableWidgetItem* item) {
+  if (filling_ || item->column() != kName || static_cast<std::size_t>(item->row()) >= rows_.size()) return;
+  Q_EMIT renamed(rows_[static_cast<std::size_t>(item->row())].id, item->text());
+}
+
+}  // namespace cabinet_articulation
