@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# update_pictures.sh: draws the pictures of RViz in doc/images anew, without a screen: the kitchen (rviz_kitchen.png) and a door
-# that opens and is learned (rviz_door.gif). Needs a build, and the packages xvfb, libgl1-mesa-dri and imagemagick. Takes three
-# minutes; look at the pictures before you commit them.
+# update_pictures.sh: draws the pictures of RViz in doc/images anew, without a screen: the kitchen (rviz_kitchen.png), a front
+# that is tried out in the panel (rviz_panel.png), and a door that opens and is learned (rviz_door.gif). Needs a build, and the
+# packages xvfb, libgl1-mesa-dri, imagemagick and xdotool. Takes a minute; look at the pictures before you commit them.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
 images=$root/doc/images
 view=890x750+460+62     # [px] the scene in RViz' window, as rviz/cabinet.rviz sets it
 export PATH=/usr/bin:$PATH LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
-for program in Xvfb import convert; do
-  command -v $program >/dev/null || { echo "$program is missing: apt-get install xvfb libgl1-mesa-dri imagemagick" >&2; exit 1; }
+for program in Xvfb import convert xdotool; do
+  command -v $program >/dev/null || { echo "$program is missing: apt-get install xvfb libgl1-mesa-dri imagemagick xdotool" >&2; exit 1; }
 done
 set +eu
 . "$root/devel/setup.sh"
@@ -39,11 +39,21 @@ wait_for() {
   timeout 90 rostopic echo -n 1 --filter "$1" /cabinet/models >/dev/null || { echo "the scene was not learned" >&2; exit 1; }
 }
 
+# RViz' window as doc/images/rviz_NAME.png.
+take() {
+  import -window root "$work/$1.png"
+  convert "$work/$1.png" -resize 1000x -dither None -colors 64 -depth 8 "$images/rviz_$1.png"
+}
+
 start kitchen
 wait_for "len([j for j in m.models if j.moved and j.type in (1, 2)]) > 1 and any(j.type == 2 and j.q > 0.6 for j in m.models)"
 sleep 1 # until RViz has drawn it
-import -window root "$work/kitchen.png"
-convert "$work/kitchen.png" -resize 1000x -dither None -colors 64 -depth 8 "$images/rviz_kitchen.png"
+take kitchen
+# The second row, "Handle path", and the slider to its middle, where rviz/cabinet.rviz has them.
+xdotool mousemove 83 648 click 1 sleep 1.5 mousemove 334 727 click 1 sleep 1.5 mousemove 44 727 mousedown 1
+for x in 60 90 120 150 180; do xdotool mousemove $x 727 sleep 0.2; done
+xdotool mouseup 1 sleep 3
+take panel
 stop_launch
 
 # The door opens as soon as RViz listens.
@@ -58,4 +68,4 @@ done
 # One palette for all frames: that of the first, before anything is learned, would be grey.
 convert "$work"/door_*.png -append -dither None -colors 64 -unique-colors "$work/palette.png"
 convert -delay 50 -loop 0 "$work"/door_*.png -dither None -remap "$work/palette.png" -layers Optimize "$images/rviz_door.gif"
-ls -l "$images"/rviz_kitchen.png "$images"/rviz_door.gif
+ls -l "$images"/rviz_{kitchen,panel}.png "$images"/rviz_door.gif

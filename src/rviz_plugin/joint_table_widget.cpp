@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace cabinet_articulation {
+namespace {
+
+constexpr int kBarWidth = 70;  ///< [px]
+
+}  // namespace
 
 JointTableWidget::JointTableWidget(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName("joints");
@@ -14,8 +19,9 @@ JointTableWidget::JointTableWidget(QWidget* parent) : QTableWidget(0, kColumns, 
   setSelectionMode(SingleSelection);
   verticalHeader()->setToolTip("The front's id.");
   horizontalHeader()->setStretchLastSection(true);
-  horizontalHeader()->setSectionResizeMode(kType, QHeaderView::ResizeToContents);
-  horizontalHeader()->setSectionResizeMode(kRange, QHeaderView::ResizeToContents);
+  for (const Column column : {kName, kType, kRange})
+    horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  setColumnWidth(kOpening, kBarWidth);
   connect(this, &QTableWidget::itemChanged, this, &JointTableWidget::nameChanged);
 }
 
