@@ -27,7 +27,6 @@ namespace {
 constexpr int kPeriod = 200;          ///< [ms] ours: a front that is gone disappears at once, as people see it
 constexpr int kRoundsPerSearch = 25;  ///< namespaces are looked for every five seconds
 constexpr int kTableHeight = 130;     ///< [px] four joints
-constexpr double kTimeout = 5;        ///< [s] as the displays
 
 template <class Widget>
 Widget* named(const char* name, Widget* widget) {
@@ -162,7 +161,7 @@ void KitchenPanel::clear() {
 }
 
 void KitchenPanel::follow() {
-  const bool gone = input_.isStale(kTimeout);
+  const bool gone = input_.isStale(kSilence);
   if (gone && !models_.empty()) clear();
   if (gone || input_.count() == 0) summary_->setText(QString::fromStdString(input_.whatIsMissing()));
   preview_->follow();

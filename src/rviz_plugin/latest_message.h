@@ -8,6 +8,8 @@
 
 namespace cabinet_articulation {
 
+constexpr double kSilence = 5;  ///< [s] ours: longer than a pipeline is silent while it catches up
+
 /// A topic and how long ago it spoke. Messages are handled one by one, and not kept.
 template <class Message>
 class LatestMessage {

@@ -9,12 +9,6 @@
 #include <rviz/properties/ros_topic_property.h>
 
 namespace cabinet_articulation {
-namespace {
-
-constexpr float kTimeout = 5;  ///< [s] ours: longer than a pipeline is silent while it catches up
-
-}  // namespace
-
 SceneDisplay::SceneDisplay() {
   color_by_ = new rviz::EnumProperty("Color", "Id", "What the colour tells.", this, SLOT(changed()), this);
   color_by_->addOption("Id", static_cast<int>(ColorBy::kId));
@@ -26,9 +20,9 @@ SceneDisplay::SceneDisplay() {
   line_width_->setMin(0);
   text_height_ = new rviz::FloatProperty("Text Height", style.text_height, "[m]", this, SLOT(changed()), this);
   text_height_->setMin(0);
-  timeout_ =
-      new rviz::FloatProperty("Timeout", kTimeout, "[s] of ROS time after which what nobody tells any more disappears; 0: never.",
-                              this, SLOT(changed()), this);
+  timeout_ = new rviz::FloatProperty("Timeout", static_cast<float>(kSilence),
+                                     "[s] of ROS time after which what nobody tells any more disappears; 0: never.", this,
+                                     SLOT(changed()), this);
   timeout_->setMin(0);
 }
 
