@@ -68,15 +68,14 @@ double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 void FrontPairs::look(const Front& child, const Front& parent, Pair* pair) {
   const CarrierPath carrier(*parent.track, *parent.model, structure_.pause);
   TrackPair seen = relativeTo(carrier, *child.track);
-  pair->likely = false;
   pair->ratio.reset();
   if (seen.world.observations.empty()) return;
   const Track of_its_own = seen.relative;
-  const bool coupled_in_world = isJoint(*child.model);
-  if (coupled_in_world && seen.carrier_way > config_.motion_min)
+  if (isJoint(*child.model) && seen.carrier_way > config_.motion_min)
     pair->ratio = ratioOf(carrier, seen.world, *child.model, config_.sigma_position);
   if (isJoint(*child.model)) addSeenAsPart(carrier, *parent.track, *child.model, structure_.margin, &seen);
   if (seen.carrier_way < config_.motion_min || !goesAlong(carrier, seen.world, config_.sigma_position)) return;
+  // Before the two moved at once, nothing is known; afterwards that stays true.
   const HangingEvidence evidence = compareWithWorld(seen, config_);
   pair->log_odds = evidence.log_odds + std::log(structure_.hanging_odds);
   pair->likely = pair->log_odds > 0;
@@ -109,13 +108,24 @@ void FrontPairs::update(const std::vector<Track>& tracks, const std::vector<Lear
       parent = b;
     }
   }
-  if (due == nullptr) return;
+  if (due == nullptr) return forgetOthers(models);
   const bool was_likely = due->likely;
   look(child, parent, due);
   due->looked_at = updates_;
   due->observations = child.track->observations.size() + parent.track->observations.size();
   if (was_likely && !due->likely) refuted_.push_back(child.model->id);
+  forgetOthers(models);
   noteCoupled();
+}
+
+/// What is out of view is looked at anew when it returns.
+void FrontPairs::forgetOthers(const std::vector<LearnedModel>& models) {
+  std::set<std::uint32_t> ids;
+  for (const LearnedModel& model : models) ids.insert(model.id);
+  for (auto pair = pairs_.begin(); pair != pairs_.end();) {
+    const bool in_view = ids.count(pair->first.first) > 0 && ids.count(pair->first.second) > 0;
+    pair = in_view ? std::next(pair) : pairs_.erase(pair);
+  }
 }
 
 std::vector<LikelyEdge> FrontPairs::edges() const {

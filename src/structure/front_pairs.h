@@ -62,6 +62,7 @@ class FrontPairs {
   };
 
   void look(const Front& child, const Front& parent, Pair* pair);
+  void forgetOthers(const std::vector<LearnedModel>& models);
   void noteCoupled();
 
   ArticulationConfig config_;

@@ -2,7 +2,8 @@
 #include "cabinet_articulation/structure/structure_finder.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,6 +14,11 @@
 #include "structure/hanging_front.h"
 
 namespace cabinet_articulation::core {
+namespace {
+
+constexpr std::size_t kMostHanging = 256;  ///< beside those in view, as many as joints that are remembered
+
+}  // namespace
 
 struct StructureFinder::State {
   State(const ArticulationConfig& articulation, const StructureConfig& structure)
@@ -66,6 +72,8 @@ void StructureFinder::complete(const std::vector<Track>& tracks, std::vector<Lea
   state_->pairs.update(tracks, *models);
   for (const std::uint32_t child : state_->pairs.refuted()) hanging.erase(child);
   hangUp(state_->pairs.edges(), structure_.pause, &hanging);
+  for (auto front = hanging.begin(); hanging.size() > kMostHanging && front != hanging.end();)
+    front = trackOf(front->first, tracks) == nullptr ? hanging.erase(front) : std::next(front);
   std::vector<Track> relative;
   for (auto& [id, front] : hanging) {
     const Track *track = trackOf(id, tracks), *carrier = trackOf(front.parent(), tracks);

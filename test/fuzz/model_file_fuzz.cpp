@@ -29,13 +29,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   file.write(data, size);
   return fuzz::examine<core::ModelFileError>([] {
     const core::ModelFile models = core::readModelFile(file.path());
-    fuzz::useModels(fuzz::modelsOf(models.fronts), models.frame);
+    fuzz::useModels(core::modelsOf(models.fronts), models.frame);
     fuzz::saveAndLoad(models.fronts, models.frame);
     core::ArticulationLearner learner{core::ArticulationConfig()};
     core::RectangleTracker tracker{core::TrackingConfig()};
     core::KnownFronts known;
     known.replace(models.fronts);
-    learner.remember(fuzz::modelsOf(models.fronts));
+    learner.remember(core::modelsOf(models.fronts));
     tracker.remember(fuzz::tracksOf(models.fronts));
     const std::vector<core::Track> tracks = tracker.process(kLater, fuzz::seenAgain(models.fronts));
     known.follow(core::TrackUpdates().of(tracks, kLater));
