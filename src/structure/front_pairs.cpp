@@ -74,8 +74,9 @@ void FrontPairs::look(const Front& child, const Front& parent, Pair* pair) {
   if (isJoint(*child.model) && seen.carrier_way > config_.motion_min)
     pair->ratio = ratioOf(carrier, seen.world, *child.model, config_.sigma_position);
   if (isJoint(*child.model)) addSeenAsPart(carrier, *parent.track, *child.model, structure_.margin, &seen);
-  if (seen.carrier_way < config_.motion_min || !goesAlong(carrier, seen.world, config_.sigma_position)) return;
-  // Before the two moved at once, nothing is known; afterwards that stays true.
+  if (seen.carrier_way < config_.motion_min) return;
+  pair->likely = false;
+  if (!goesAlong(carrier, seen.world, config_.sigma_position)) return;
   const HangingEvidence evidence = compareWithWorld(seen, config_);
   pair->log_odds = evidence.log_odds + std::log(structure_.hanging_odds);
   pair->likely = pair->log_odds > 0;
