@@ -54,7 +54,8 @@ ShownDrawing::~ShownDrawing() {
   scene_->destroyManualObject(surfaces_);
   scene_->destroyManualObject(thin_lines_);
   scene_->destroySceneNode(node_);
-  Ogre::MaterialManager::getSingleton().remove(material_->getName(), material_->getGroup());
+  Ogre::ResourcePtr material = material_;
+  Ogre::MaterialManager::getSingleton().remove(material);
 }
 
 void ShownDrawing::clear() {
