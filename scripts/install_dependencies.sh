@@ -24,7 +24,7 @@ debian_packages=(
   librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure
   # RViz and what a plugin for it needs, and a display to test it on
-  rviz librviz-dev xvfb libgl1-mesa-dri
+  rviz librviz-dev qtbase5-dev xvfb libgl1-mesa-dri
   # for rostopic echo
   python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs
   python3-visualization-msgs python3-tf2-msgs
