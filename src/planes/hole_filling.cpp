@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <opencv2/core/utility.hpp>
 
 #include "cabinet_articulation/stereo/depth_frame.h"
 
@@ -19,10 +21,15 @@ int toNextMeasured(const float* pixel, int stride, int reach) {
   return 0;
 }
 
-/// The next pixel from `u` on that was measured.
-int endOfHole(const float* row, int u, int cols) {
-  while (u < cols && !isValidDisparity(row[u])) ++u;
-  return u;
+__attribute__((target_clones("avx2", "default"))) void markMeasured(const float* __restrict disparity, int n,
+                                                                    std::uint8_t* __restrict measured) {
+  for (int u = 0; u < n; ++u) measured[u] = isValidDisparity(disparity[u]) ? 1 : 0;
+}
+
+/// The next pixel from `u` on with this value, or `end`.
+int find(const std::uint8_t* measured, int u, int end, int value) {
+  const void* const found = u < end ? std::memchr(measured + u, value, end - u) : nullptr;
+  return found ? static_cast<int>(static_cast<const std::uint8_t*>(found) - measured) : end;
 }
 
 /// Linear between the hole's ends along `stride`; 0 if they are too far apart.
@@ -39,16 +46,18 @@ float interpolate(const float* pixel, int stride) {
 
 void fillHoles(const cv::Mat1f& disparity, cv::Mat1f* filled) {
   disparity.copyTo(*filled);
-  const int row_stride = static_cast<int>(disparity.step1());
+  const int row_stride = static_cast<int>(disparity.step1()), last = disparity.cols - kWidest;
+  cv::AutoBuffer<std::uint8_t> measured(disparity.cols);
   for (int v = kWidest; v < disparity.rows - kWidest; ++v) {
     const float* in = disparity[v];
     float* out = (*filled)[v];
-    for (int u = kWidest, end = u; u < disparity.cols - kWidest; u = end + 1) {
-      end = endOfHole(in, u, disparity.cols);
-      const bool is_narrow = end - u <= kWidest || u == kWidest;
-      for (int hole = u; hole < std::min(end, disparity.cols - kWidest); ++hole) {
-        out[hole] = is_narrow ? interpolate(in + hole, 1) : 0;
-        if (out[hole] == 0) out[hole] = interpolate(in + hole, row_stride);
+    markMeasured(in, disparity.cols, measured.data());
+    for (int begin = kWidest, end = 0; (begin = find(measured.data(), begin, last, 0)) < last; begin = end) {
+      end = find(measured.data(), begin, disparity.cols, 1);
+      const bool is_narrow = end - begin <= kWidest || begin == kWidest;
+      for (int u = begin; u < std::min(end, last); ++u) {
+        out[u] = is_narrow ? interpolate(in + u, 1) : 0;
+        if (out[u] == 0) out[u] = interpolate(in + u, row_stride);
       }
     }
   }

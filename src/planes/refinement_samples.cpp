@@ -64,6 +64,31 @@ __attribute__((target_clones("avx2", "default"))) void compare(size_t n, const f
   for (size_t i = 0; i < n; ++i) residual[i] = left[i] - gain * right[i] - offset;
 }
 
+struct Extent {
+  std::int64_t sum;
+  int least, most;
+};
+
+/// Of whole numbers; there is one at least.
+template <class Place>
+inline Extent extentOf(const Place* places, size_t n) {
+  std::int64_t sum = 0;
+  int least = static_cast<int>(places[0]), most = least;
+  for (size_t i = 0; i < n; ++i) {
+    const int place = static_cast<int>(places[i]);
+    sum += place;
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  return {sum, least, most};
+}
+
+__attribute__((target_clones("avx2", "default"))) void extentOfBoth(const float* u, const int* row, size_t n, Extent* of_u,
+                                                                    Extent* of_row) {
+  *of_u = extentOf(u, n);
+  *of_row = extentOf(row, n);
+}
+
 /// (place - center) / scale, rounded once.
 template <class Place>
 inline void normalise(const Place* __restrict place, double center, double scale, size_t n, float* __restrict out) {
@@ -135,20 +160,11 @@ void RefinementSamples::take(const DepthFrame& frame, const cv::Mat1f& limit, in
 }
 
 void RefinementSamples::measureExtent(size_t n) {
-  std::int64_t sum_u = 0, sum_v = 0;
-  int least_u = 0, most_u = 0, least_v = 0, most_v = 0;
-  for (size_t i = 0; i < n; ++i) {
-    const int u = static_cast<int>(u_[i]), v = row_[i];
-    sum_u += u;
-    sum_v += v;
-    least_u = i == 0 ? u : std::min(least_u, u);
-    least_v = i == 0 ? v : std::min(least_v, v);
-    most_u = std::max(most_u, u);
-    most_v = std::max(most_v, v);
-  }
-  center_u_ = static_cast<double>(sum_u) / static_cast<double>(std::max<size_t>(n, 1));
-  center_v_ = static_cast<double>(sum_v) / static_cast<double>(std::max<size_t>(n, 1));
-  scale_ = std::max({1.0, center_u_ - least_u, most_u - center_u_, center_v_ - least_v, most_v - center_v_});
+  Extent u{}, v{};
+  if (n > 0) extentOfBoth(u_.data(), row_.data(), n, &u, &v);
+  center_u_ = static_cast<double>(u.sum) / static_cast<double>(std::max<size_t>(n, 1));
+  center_v_ = static_cast<double>(v.sum) / static_cast<double>(std::max<size_t>(n, 1));
+  scale_ = std::max({1.0, center_u_ - u.least, u.most - center_u_, center_v_ - v.least, v.most - center_v_});
   resize((n + kLanes - 1) / kLanes * kLanes);
   for (size_t i = 0; i < size(); ++i) inside_[i] = i < n;
   std::fill(u_.begin() + static_cast<std::ptrdiff_t>(n), u_.end(), u_.empty() ? 0 : u_[0]);
