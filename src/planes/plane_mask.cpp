@@ -19,8 +19,7 @@ struct RowPlane {
 namespace {
 
 using detail::RowPlane;
-constexpr int kBlockWidth = 32;   ///< [px] as many labels as bytes in a vector
-constexpr int kBlockHeight = 16;  ///< [px]
+constexpr int kBlock = 32;  ///< [px] side: as many labels as bytes in a vector
 
 // Selections without branches, so that the loops vectorise. A point in front of the plane has the larger disparity.
 inline std::uint8_t chooseLabel(float disparity, float residual, float tolerance, int in_plane) {
@@ -55,8 +54,7 @@ __attribute__((target_clones("avx2", "default"))) void labelBox(const BoxImages&
     std::uint8_t* labels = images.labels[v];
     int u = box.x;
     const int end = box.x + box.width;
-    for (; u + kBlockWidth <= end; u += kBlockWidth)
-      labelPixels(disparity + u, limit + u, tolerance + u, u, kBlockWidth, row, labels + u);
+    for (; u + kBlock <= end; u += kBlock) labelPixels(disparity + u, limit + u, tolerance + u, u, kBlock, row, labels + u);
     labelPixels(disparity + u, limit + u, tolerance + u, u, end - u, row, labels + u);
   }
 }
@@ -92,8 +90,7 @@ void NoiseMask::setFrame(const cv::Mat1f& disparity, const DisparityTolerance& t
   free_.create(disparity.size());
   occluded_.create(disparity.size());
   ranges_.clear();
-  for (int top = 0; top < disparity.rows; top += kBlockHeight)
-    addBand(top, std::min(top + kBlockHeight, disparity.rows), tolerance);
+  for (int top = 0; top < disparity.rows; top += kBlock) addBand(top, std::min(top + kBlock, disparity.rows), tolerance);
 }
 
 /// The ranges of a row of blocks.
@@ -104,8 +101,8 @@ void NoiseMask::addBand(int top, int bottom, const DisparityTolerance& tolerance
   most_.assign(n, -1);
   for (int v = top; v < bottom; ++v)
     addRow(disparity_[v], n, tolerance, tolerance_[v], least_.data(), most_.data(), free_[v], occluded_[v]);
-  for (int begin = 0; begin < n; begin += kBlockWidth) {
-    const int end = std::min(begin + kBlockWidth, n);
+  for (int begin = 0; begin < n; begin += kBlock) {
+    const int end = std::min(begin + kBlock, n);
     const float most = *std::max_element(most_.begin() + begin, most_.begin() + end);
     ranges_.push_back({*std::min_element(least_.begin() + begin, least_.begin() + end), most, tolerance.at(most)});
   }
@@ -121,13 +118,13 @@ NoiseMask::Place NoiseMask::placeOf(const Range& range, const RowPlane& first, c
 void NoiseMask::label(const DisparityPlane& plane, cv::Mat1b* mask) const {
   mask->create(disparity_.size());
   auto range = ranges_.begin();
-  for (int top = 0; top < mask->rows; top += kBlockHeight) {
-    const int bottom = std::min(top + kBlockHeight, mask->rows);
+  for (int top = 0; top < mask->rows; top += kBlock) {
+    const int bottom = std::min(top + kBlock, mask->rows);
     const RowPlane first(plane, top), last(plane, bottom - 1);
     Place place = Place::kAcross;  // of the blocks from `begin` on
     int begin = 0;
-    for (int u = 0; u < mask->cols; u += kBlockWidth, ++range) {
-      const Place next = placeOf(*range, first, last, u, std::min(u + kBlockWidth, mask->cols));
+    for (int u = 0; u < mask->cols; u += kBlock, ++range) {
+      const Place next = placeOf(*range, first, last, u, std::min(u + kBlock, mask->cols));
       if (next != place) labelBlocks(plane, place, {begin, top, u - begin, bottom - top}, mask);
       if (next != place) begin = u;
       place = next;
