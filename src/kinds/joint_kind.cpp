@@ -25,6 +25,11 @@ double ShapePrior::cost(const Eigen::VectorXd& difference) const {
   return 0.5 * (degrees_of_freedom + mean.dimensions()) * std::log1p(square / degrees_of_freedom);
 }
 
+Eigen::MatrixXd ShapePrior::covariance() const {
+  const double wider = std::isinf(degrees_of_freedom) ? 1 : degrees_of_freedom / (degrees_of_freedom - 2);
+  return wider * precision.inverse();
+}
+
 double ShapePrior::weight(const Eigen::VectorXd& difference) const {
   if (std::isinf(degrees_of_freedom)) return 1;
   return (degrees_of_freedom + mean.dimensions()) / (degrees_of_freedom + difference.dot(precision * difference));

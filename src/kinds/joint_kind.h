@@ -19,6 +19,8 @@ struct ShapePrior {
 
   /// [nats] Negative log of the density `difference` away, in proportion to that at the mean.
   double cost(const Eigen::VectorXd& difference) const;
+  /// Of a Gaussian that is as wide.
+  Eigen::MatrixXd covariance() const;
   /// By which the precision counts there: the curvature of a Gaussian that has the same slope.
   double weight(const Eigen::VectorXd& difference) const;
 };

@@ -9,7 +9,7 @@
 #include "articulation/observations/observation_history.h"
 #include "kinds/kind_choice.h"
 #include "kinds/kind_description.h"
-#include "kinds/upright.h"
+#include "kinds/kind_update.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -90,15 +90,9 @@ void JointKinds::disown(std::uint32_t front) {
   }
 }
 
-JointKinds JointKinds::toldTo(std::uint32_t front, int k) const {
+JointKinds JointKinds::without(std::uint32_t front) const {
   JointKinds others = *this;
   others.remove(front);
-  if (k == 0) return others;
-  for (JointKind& kind : others.kinds_) {
-    std::vector<JointShape> shapes = kind.shapes();
-    for (JointShape& shape : shapes) shape = described(shape, kDescriptionsOfASide - k);
-    kind = JointKind(std::move(shapes), config_);
-  }
   return others;
 }
 
@@ -166,6 +160,10 @@ LearnedModel JointKinds::predict(const LearnedModel& learned, const Track& track
   slides = joints - turns;
   describe(choice.arc, choice.type, *samples, &predicted);
   return predicted;
+}
+
+LearnedModel JointKinds::update(const LearnedModel& learned) const {
+  return updatedByKinds(learned, kinds_, weightsOf(kinds_, learned.width, learned.height), config_, prior_);
 }
 
 LearnedModel JointKinds::expect(const LearnedModel& resting, std::size_t at_rest) const {

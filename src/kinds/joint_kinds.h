@@ -41,9 +41,8 @@ class JointKinds {
   /// Keeps the joint of a front, which is nobody's from now on.
   void disown(std::uint32_t front);
 
-  /// The same without the joint of a front, for that front: what it taught is no news to it. Shapes are those in the description
-  /// of the front of which k is the one that they are in here.
-  JointKinds toldTo(std::uint32_t front, int k) const;
+  /// The same without the joint of a front, for that front: what it taught is no news to it.
+  JointKinds without(std::uint32_t front) const;
 
   const std::vector<JointKind>& kinds() const { return kinds_; }
 
@@ -55,6 +54,10 @@ class JointKinds {
   /// its covariance and errors are still those of its own poses. A front that may as well rest is taken to move on two
   /// conditions. Its agreement with a kind outweighs `rest_odds`, and leaves no doubt of the type.
   LearnedModel predict(const LearnedModel& learned, const Track& track, const ArticulationConfig& config) const;
+
+  /// What is to be expected of a front that was seen to move, by the joint that its poses tell and its covariance alone
+  /// (updatedByKinds()).
+  LearnedModel update(const LearnedModel& learned) const;
 
   /// What is to be expected of a front that was not seen to move, and whose size is known. `at_rest` is the number of fronts of
   /// any size in view that did not move either, with this one; they are as likely things that never move. The answer stays as

@@ -8,6 +8,14 @@
 #include "geometry/cross_matrix.h"
 
 namespace cabinet_articulation::core {
+namespace {
+
+void leaveOutGeometry(LearnedModel* model) {
+  const auto names_geometry = [](const ModelParam& param) { return param.kind == ModelParam::kParam; };
+  model->params.erase(std::remove_if(model->params.begin(), model->params.end(), names_geometry), model->params.end());
+}
+
+}  // namespace
 
 void describe(const Arc& arc, JointType type, const PoseSamples& samples, LearnedModel* learned) {
   const bool turns = type == JointType::kRotational;
@@ -19,8 +27,7 @@ void describe(const Arc& arc, JointType type, const PoseSamples& samples, Learne
   learned->radius = turns ? arc.radius() : 0;
   learned->pitch = 0;
   learned->curve.clear();
-  const auto names_geometry = [](const ModelParam& param) { return param.kind == ModelParam::kParam; };
-  learned->params.erase(std::remove_if(learned->params.begin(), learned->params.end(), names_geometry), learned->params.end());
+  leaveOutGeometry(learned);
   learned->q_min = learned->q_max = 0;
   learned->q_min_is_end = learned->q_max_is_end = false;
   for (const Eigen::Vector3d& position : samples.positions) {
@@ -37,17 +44,13 @@ void describe(const Arc& arc, JointType type, const PoseSamples& samples, Learne
   learned->q_max = -learned->q_max;
 }
 
-void describe(const JointKind& kind, LearnedModel* front) {
-  const JointShape& shape = kind.mean();
+void describe(const JointShape& shape, const Eigen::MatrixXd& covariance, LearnedModel* front) {
   const Eigen::Matrix3d frame = front->origin.linear() * shape.frame;
   front->type = shape.type;
   front->axis = frame.col(shape.turns() ? 2 : 0);
   front->radius = shape.radius;
   if (shape.turns()) front->axis_point = front->origin.translation() + shape.radius * frame.col(1);
-  front->q = front->q_min = 0;
-  front->q_max = kind.range();
-  const ShapePrior next = kind.next();
-  const Eigen::MatrixXd spread = next.precision.inverse();
+  leaveOutGeometry(front);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, shape.dimensions());
   if (shape.turns()) {
     J.topLeftCorner<3, 3>() = -shape.radius * frame * crossMatrix(Eigen::Vector3d::UnitY());
@@ -55,12 +58,18 @@ void describe(const JointKind& kind, LearnedModel* front) {
     J.bottomLeftCorner<3, 3>() = frame;
     front->covariance.setZero();
   } else {
+    // The place is as certain as it was.
     J.bottomRightCorner<3, 2>() = frame.rightCols<2>();
-    front->covariance.bottomRightCorner<3, 3>().setZero();
-    front->covariance.topRightCorner<3, 3>().setZero();
-    front->covariance.bottomLeftCorner<3, 3>().setZero();
+    front->covariance.bottomRows<3>().setZero();
+    front->covariance.rightCols<3>().setZero();
   }
-  front->covariance += J * spread * J.transpose();
+  front->covariance += J * covariance * J.transpose();
+}
+
+void describe(const JointKind& kind, LearnedModel* front) {
+  describe(kind.mean(), kind.next().covariance(), front);
+  front->q = front->q_min = 0;
+  front->q_max = kind.range();
 }
 
 }  // namespace cabinet_articulation::core

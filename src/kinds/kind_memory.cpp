@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include "kinds/upright.h"
 
@@ -24,21 +24,18 @@ bool isSeenWhole(const Track& track, double edge_support_min) {
   return std::all_of(sums.begin(), sums.end(), [least](double sum) { return sum >= least; });
 }
 
-/// What was told of a front, where the front is now.
-LearnedModel continued(const LearnedModel& told, const LearnedModel& learned, const Track& track) {
-  LearnedModel model = learned;
-  model.type = told.type;
-  model.probabilities = told.probabilities;
-  model.origin = told.origin;
-  model.axis = told.axis;
-  model.axis_point = told.axis_point;
-  model.radius = told.radius;
-  model.params = told.params;
-  model.q = told.configuration(track.observations.back().rectangle.pose);
-  model.q_min = std::min(told.q_min, model.q);
-  model.q_max = std::max(told.q_max, model.q);
-  model.q_min_is_end = model.q_max_is_end = false;
-  return model;
+/// The answer that `ask` gives for the upright front, for the front as it is described.
+template <class Ask>
+LearnedModel askedUpright(const LearnedModel& front, const Ask& ask) {
+  const int k = uprightDescription(front.origin.linear());
+  LearnedModel upright = front;
+  upright.origin.linear() = front.origin.linear() * turnOf(k);
+  if (k % 2 != 0) std::swap(upright.width, upright.height);
+  LearnedModel answer = ask(upright);
+  answer.origin = front.origin;
+  answer.width = front.width;
+  answer.height = front.height;
+  return answer;
 }
 
 const Track* trackOf(std::uint32_t id, const std::vector<Track>& tracks) {
@@ -55,7 +52,6 @@ void KindMemory::configure(const LearningConfig& config) {
   config_ = config;
   kinds_ = JointKinds(config.kinds, config.articulation.prior);
   for (const JointShape& vote : votes) kinds_.add(vote);
-  told_.clear();
 }
 
 bool KindMemory::isExact(const LearnedModel& model) const {
@@ -72,38 +68,22 @@ void KindMemory::learnFrom(const LearnedModel& model) {
   if (!kinds_.holds(vote)) kinds_.add(vote);
 }
 
-LearnedModel KindMemory::tell(const LearnedModel& learned, const Track& track) {
-  constexpr double kGrowth = 1.1;  // a fit takes milliseconds, and a tenth more poses tell little more (ours)
-  Told& told = told_[learned.id];
-  const std::size_t observations = track.observations.size();
-  const bool is_due = told.observations == 0 || observations < told.observations ||
-                      static_cast<double>(observations) >= kGrowth * static_cast<double>(told.observations);
-  if (!is_due) return told.model.moved ? continued(told.model, learned, track) : learned;
-  const JointKinds others = kinds_.toldTo(learned.id, uprightDescription(learned.origin.linear()));
-  const LearnedModel model = others.predict(learned, track, config_.articulation);
-  told.observations = observations;
-  told.model = model;
-  // Told nothing: the next frames are as learned, too.
-  if (model.origin.matrix() == learned.origin.matrix() && model.axis == learned.axis) told.model.moved = false;
-  return model;
+LearnedModel KindMemory::tell(const LearnedModel& model, std::size_t at_rest) const {
+  const JointKinds others = kinds_.without(model.id);
+  return askedUpright(
+      model, [&](const LearnedModel& upright) { return model.moved ? others.update(upright) : others.expect(upright, at_rest); });
 }
 
 void KindMemory::complete(const std::vector<Track>& tracks, std::vector<LearnedModel>* models) {
   if (!config_.kinds.kinds) return;
   for (const LearnedModel& model : *models) learnFrom(model);
-  std::map<std::uint32_t, Told> before;
-  before.swap(told_);
   if (kinds().empty()) return;
   const auto at_rest = static_cast<std::size_t>(std::count_if(models->begin(), models->end(), isAtRest));
   for (LearnedModel& model : *models) {
     const Track* track = trackOf(model.id, tracks);
-    if (track == nullptr) continue;
-    if (isAtRest(model) && isSeenWhole(*track, config_.articulation.edge_support_min))
-      model = kinds_.toldTo(model.id, uprightDescription(model.origin.linear())).expect(model, at_rest);
-    if (!model.moved || !model.explained || !hasShape(model) || isExact(model)) continue;
-    const auto told = before.find(model.id);
-    if (told != before.end()) told_.insert(*told);
-    model = tell(model, *track);
+    const bool rests = track != nullptr && isAtRest(model) && isSeenWhole(*track, config_.articulation.edge_support_min);
+    const bool moves = model.moved && model.explained && model.doubt == 0 && hasShape(model) && !isExact(model);
+    if (rests || moves) model = tell(model, at_rest);
   }
 }
 
@@ -123,10 +103,7 @@ void KindMemory::keepFronts(const std::vector<LearnedModel>& fronts) {
     if (vote.front != 0 && ids.count(vote.front) == 0) forget(vote.front);
 }
 
-void KindMemory::forget(std::uint32_t front) {
-  kinds_.disown(front);
-  told_.erase(front);
-}
+void KindMemory::forget(std::uint32_t front) { kinds_.disown(front); }
 
 std::vector<JointShape> KindMemory::votesBeside(const std::set<std::uint32_t>& fronts) const {
   std::vector<JointShape> votes;

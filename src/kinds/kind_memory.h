@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <vector>
 
@@ -49,19 +48,12 @@ class KindMemory {
   std::vector<JointShape> votesBeside(const std::set<std::uint32_t>& fronts) const;
 
  private:
-  /// What was told to a front, and when.
-  struct Told {
-    std::size_t observations = 0;
-    LearnedModel model;
-  };
-
   bool isExact(const LearnedModel& model) const;
   void learnFrom(const LearnedModel& model);
-  LearnedModel tell(const LearnedModel& learned, const Track& track);
+  LearnedModel tell(const LearnedModel& model, std::size_t at_rest) const;
 
   LearningConfig config_;
   JointKinds kinds_;
-  std::map<std::uint32_t, Told> told_;  ///< fronts in view
 };
 
 }  // namespace cabinet_articulation::core

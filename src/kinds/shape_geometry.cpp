@@ -6,18 +6,6 @@
 #include <cmath>
 
 namespace cabinet_articulation::core {
-namespace {
-
-/// The inverse of difference().
-JointShape moved(const JointShape& mean, const Eigen::VectorXd& by) {
-  JointShape shape = mean;
-  const Eigen::Vector3d turn = mean.turns() ? Eigen::Vector3d(by.head<3>()) : Eigen::Vector3d(0, by[0], by[1]);
-  shape.frame = mean.frame * rotationFromVector(turn);
-  if (mean.turns()) shape.radius *= std::exp(by[3]);
-  return shape;
-}
-
-}  // namespace
 
 bool hasShape(const LearnedModel& joint) {
   return joint.type == JointType::kPrismatic || (joint.type == JointType::kRotational && joint.radius > 0);
@@ -61,31 +49,49 @@ Eigen::VectorXd difference(const JointShape& shape, const JointShape& mean) {
   return by;
 }
 
+JointShape movedBy(const JointShape& mean, const Eigen::VectorXd& by) {
+  JointShape shape = mean;
+  const Eigen::Vector3d turn = mean.turns() ? Eigen::Vector3d(by.head<3>()) : Eigen::Vector3d(0, by[0], by[1]);
+  shape.frame = mean.frame * rotationFromVector(turn);
+  if (mean.turns()) shape.radius *= std::exp(by[3]);
+  return shape;
+}
+
 JointShape meanShape(const std::vector<JointShape>& shapes) {
   constexpr int kRounds = 10;  // each leaves a hundredth or less of the error
   JointShape mean = shapes.front();
   for (int round = 0; round < kRounds; ++round) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(mean.dimensions());
     for (const JointShape& shape : shapes) sum += difference(shape, mean);
-    mean = moved(mean, sum / static_cast<double>(shapes.size()));
+    mean = movedBy(mean, sum / static_cast<double>(shapes.size()));
   }
   return mean;
 }
 
-ShapeSigmas shapeSigmas(const LearnedModel& joint) {
-  const Eigen::Matrix3d of_axis = joint.covariance.bottomRightCorner<3, 3>();
-  // A turn of the axis about itself changes nothing.
-  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - joint.axis * joint.axis.transpose();
-  const Eigen::Matrix3d tilt = across * of_axis * across;
-  double turn = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tilt).eigenvalues().maxCoeff(), radius = 0;
-  if (joint.type == JointType::kRotational) {
-    const Eigen::Matrix3d of_point = joint.covariance.topLeftCorner<3, 3>() / (joint.radius * joint.radius);
-    const Eigen::Vector3d outwards = (joint.origin.translation() - joint.axis_point).normalized();
-    const Eigen::Vector3d along = joint.axis.cross(outwards);
-    turn = std::max(turn, along.dot(of_point * along));
-    radius = outwards.dot(of_point * outwards);
+Eigen::MatrixXd shapeCovariance(const LearnedModel& joint, const JointShape& mean) {
+  // A turn of the axis about itself changes nothing, but a step of the axis' point along the path turns the frame about it.
+  Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
+  turn.rightCols<3>() = Eigen::Matrix3d::Identity() - joint.axis * joint.axis.transpose();
+  const Eigen::Matrix3d frame = joint.origin.linear() * mean.frame;
+  Eigen::MatrixXd J(mean.dimensions(), 6);
+  if (!mean.turns()) {
+    J = frame.rightCols<2>().transpose() * turn;
+  } else {
+    const Eigen::Vector3d to_axis = (joint.axis_point - joint.origin.translation()) / joint.radius;
+    turn.leftCols<3>() = joint.axis * joint.axis.cross(to_axis).transpose() / joint.radius;
+    J.topRows<3>() = frame.transpose() * turn;
+    J.bottomRows<1>() << to_axis.transpose() / joint.radius, Eigen::RowVector3d::Zero();
   }
-  return {std::sqrt(std::max(0.0, turn)), std::sqrt(std::max(0.0, radius))};
+  return J * joint.covariance * J.transpose();
+}
+
+ShapeSigmas shapeSigmas(const LearnedModel& joint) {
+  const JointShape own = shapeOf(joint, joint.origin.linear());
+  const Eigen::MatrixXd covariance = shapeCovariance(joint, own);
+  const Eigen::Index turns = own.turns() ? 3 : 2;
+  const Eigen::MatrixXd of_turn = covariance.topLeftCorner(turns, turns);
+  const double turn = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(of_turn).eigenvalues().maxCoeff();
+  return {std::sqrt(std::max(0.0, turn)), own.turns() ? std::sqrt(std::max(0.0, covariance(3, 3))) : 0};
 }
 
 }  // namespace cabinet_articulation::core

@@ -24,8 +24,14 @@ JointShape shapeOf(const Arc& arc, JointType type, const Eigen::Matrix3d& start)
 /// difference of the logarithms of the radii. Without a radius: [rad] turn of the direction about the other two axes.
 Eigen::VectorXd difference(const JointShape& shape, const JointShape& mean);
 
+/// The inverse of difference().
+JointShape movedBy(const JointShape& mean, const Eigen::VectorXd& by);
+
 /// The shape from which differences add up to zero; types are alike. Its size and range are those of the first.
 JointShape meanShape(const std::vector<JointShape>& shapes);
+
+/// Covariance of difference(joint's shape, mean), by that of a joint that hasShape().
+Eigen::MatrixXd shapeCovariance(const LearnedModel& joint, const JointShape& mean);
 
 /// Standard deviations of what is known of a joint, in the units of difference().
 struct ShapeSigmas {

@@ -7,11 +7,8 @@
 #include "articulation/paths/arc.h"
 
 namespace cabinet_articulation::core {
-namespace {
 
 Eigen::Matrix3d turnOf(int k) { return rotationFromVector(Eigen::Vector3d(0, 0, k * M_PI / 2)); }
-
-}  // namespace
 
 int uprightDescription(const Eigen::Matrix3d& front) {
   const double facing = std::abs(front(2, 2));

@@ -15,6 +15,9 @@ namespace cabinet_articulation::core {
 
 constexpr int kDescriptionsOfASide = 4;
 
+/// The rotation from description 0 to k.
+Eigen::Matrix3d turnOf(int k);
+
 /// The k of describe() that makes a front with these axes upright.
 int uprightDescription(const Eigen::Matrix3d& front);
 
