@@ -62,6 +62,15 @@ ShapePrior JointKind::next() const {
   return prior;
 }
 
+ShapePrior JointKind::next(double width, double height) const {
+  ShapePrior prior = next();
+  const Eigen::Vector3d to_hinge = mean_.frame.col(1).cwiseAbs();
+  const bool is_beside = to_hinge.x() > to_hinge.y();
+  const double usual = is_beside ? sides_.width() : sides_.height(), side = is_beside ? width : height;
+  if (mean_.turns() && usual > 0 && side > 0) prior.mean.radius *= side / usual;
+  return prior;
+}
+
 double JointKind::range() const {
   std::vector<double> ranges;
   for (const JointShape& shape : shapes_)

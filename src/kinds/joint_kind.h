@@ -39,6 +39,9 @@ class JointKind {
   /// The next joint of this kind.
   ShapePrior next() const;
 
+  /// The same for a front of this size: hinges of a kind sit at the same share of the side across. A side of 0 is unknown.
+  ShapePrior next(double width, double height) const;
+
   /// Of the fronts.
   const FrontSides& sides() const { return sides_; }
 

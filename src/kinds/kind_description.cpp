@@ -67,7 +67,8 @@ void describe(const JointShape& shape, const Eigen::MatrixXd& covariance, Learne
 }
 
 void describe(const JointKind& kind, LearnedModel* front) {
-  describe(kind.mean(), kind.next().covariance(), front);
+  const ShapePrior next = kind.next(front->width, front->height);
+  describe(next.mean, next.covariance(), front);
   front->q = front->q_min = 0;
   front->q_max = kind.range();
 }

@@ -73,17 +73,19 @@ LearnedModel updatedByKinds(const LearnedModel& joint, const std::vector<JointKi
   const JointKind* best = nullptr;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i].mean().type != joint.type) continue;
-    const double weight = std::exp(weights.kinds[i] + logDensity(own, kinds[i].mean(), kinds[i].next().covariance()));
+    const ShapePrior next = kinds[i].next(joint.width, joint.height);
+    const double weight = std::exp(weights.kinds[i] + logDensity(own, next.mean, next.covariance()));
     sum += weight;
     if (weight <= most) continue;
     most = weight;
     best = &kinds[i];
   }
   if (best == nullptr || most <= sum / 2) return joint;
-  const Eigen::MatrixXd spread = best->next().covariance();
-  const Eigen::MatrixXd gain = spread * (spread + shapeCovariance(joint, best->mean())).inverse();
+  const ShapePrior next = best->next(joint.width, joint.height);
+  const Eigen::MatrixXd spread = next.covariance();
+  const Eigen::MatrixXd gain = spread * (spread + shapeCovariance(joint, next.mean)).inverse();
   LearnedModel updated = joint;
-  describe(movedBy(best->mean(), gain * difference(own.shape, best->mean())), spread - gain * spread, &updated);
+  describe(movedBy(next.mean, gain * difference(own.shape, next.mean)), spread - gain * spread, &updated);
   if (updated.axis.dot(joint.axis) < 0) updated.axis = -updated.axis;
   for (double LearnedModel::*const q : {&LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max})
     updated.*q = updated.configuration(joint.predict(joint.*q));

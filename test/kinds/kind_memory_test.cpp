@@ -208,6 +208,14 @@ TEST(KindMemory, ExpectsNothingOfAnotherSizeOrOfWhatIsHalfSeen) {
   EXPECT_TRUE(completed({cut}, &memory).at(0).observed);
 }
 
+TEST(KindMemory, HangsADoorOfAnotherWidthAtItsEdge) {
+  KindMemory memory({});
+  teach(doorOf(0.5), 4, &memory);
+  const LearnedModel model = completed({seen(doorOf(0.55), 10, 0)}, &memory).at(0);
+  ASSERT_FALSE(model.observed);
+  EXPECT_NEAR(model.radius, 0.275, 0.006);
+}
+
 TEST(KindMemory, ThatMuchRestsMakesAnExpectationLessProbable) {
   KindMemory memory({});
   teach(doorOf(0.5), 4, &memory);
