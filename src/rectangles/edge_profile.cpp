@@ -15,7 +15,7 @@ constexpr float kMinPixels = 6;                ///< of a strip
 constexpr float kNoiseVariance = 4;            ///< [grey levels^2] keeps noise in textureless strips from correlating
 constexpr int kReach = EdgeProfile::kOnPlane;  ///< [px] largest disparity offset
 
-constexpr int kPart = 256;  ///< [px] of a row of the right image that is widened at once
+constexpr int kPart = EdgeProfile::kStrips;  ///< [px] of a row that are widened at once: an upright edge has no more
 
 /// A vector of the compiler, which splits it where registers are shorter.
 using Vector __attribute__((vector_size(8 * sizeof(float)))) = float;
