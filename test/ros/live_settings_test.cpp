@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "cabinet_articulation/articulation/articulation_config.h"
+#include "cabinet_articulation/kinds/kinds_config.h"
 
 namespace cabinet_articulation {
 namespace {
