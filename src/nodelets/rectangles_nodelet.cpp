@@ -5,6 +5,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
+#include "bend/bend_correction.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/rectangles/rectangle_detector.h"
 #include "cabinet_articulation/ros/conversions.h"
@@ -15,6 +16,7 @@
 #include "nodelets/stage_nodelet.h"
 #include "nodelets/transform_source.h"
 #include "ros/clock_jump.h"
+#include "ros/plane_messages.h"
 
 namespace cabinet_articulation {
 
@@ -102,10 +104,11 @@ class RectanglesStage : public StageNodelet {
     const std::vector<core::Rectangle> expected = expectedIn(header, input.period, &wait);
     const auto work = [&] {
       const FrameViews views = frames_->view(input.frame);
-      const auto rectangles = detector_->process(views.frame, planes_topic_.decode(*input.planes), expected);
+      const core::DepthFrame frame = correction_.process(views.frame, bendOf(*input.planes));
+      const auto rectangles = detector_->process(frame, planes_topic_.decode(*input.planes), expected);
       health().note("rectangles", static_cast<double>(rectangles.size()));
       RectangleArray message = toMessage(rectangles, header);
-      message.view = toMessage(core::thinnedOut(views.frame));
+      message.view = toMessage(core::thinnedOut(frame));
       publish(rectangles_, std::move(message));
       worked_on_ = header.stamp;
     };
@@ -149,6 +152,7 @@ class RectanglesStage : public StageNodelet {
   static constexpr double kLongestWait = 1;  ///< [s] for cameras that are slower (ours)
 
   std::unique_ptr<core::RectangleDetector> detector_;
+  core::BendCorrection correction_;
   std::atomic<bool> use_tracks_{true};  ///< of the settings, which may change while a frame waits
   TransformSource transforms_{guard()};
   ExpectedInbox expected_;

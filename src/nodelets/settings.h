@@ -53,6 +53,17 @@ struct ModelFileConfig {
   }
 };
 
+/// Where what was learned of a depth camera outlives a restart.
+struct BendFileConfig {
+  std::string bend_file;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("bend_file", self.bend_file, core::Choices{},
+          "YAML file of how depth cameras bend what is flat: read at the start if it is there, saved at the end; empty: none");
+  }
+};
+
 /// What the joints are published for.
 struct FrameOutputConfig {
   bool publish_tf = true;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "bend/sensor_bend.h"
 #include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
@@ -46,6 +47,7 @@ PipelineConfig PipelineConfig::load(const std::string& directory, std::vector<st
 
 Pipeline::Pipeline(const PipelineConfig& config)
     : stereo_(config.stereo),
+      bend_(config.planes.refine ? std::make_unique<SensorBend>() : nullptr),
       planes_(config.planes),
       rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
@@ -69,11 +71,17 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   PipelineResult result;
   StageTimes& times = result.milliseconds;
   result.frame = frame;
-  result.planes = timed(times.planes, [&] { return planes_.process(frame); });
-  result.rectangles = timed(times.rectangles, [&] {
-    return rectangles_.process(frame, result.planes, expectedInCamera(asSent(tracking_.expected()), stamp, T_fixed_camera));
+  DepthFrame flat = frame;
+  result.planes = timed(times.planes, [&] {
+    if (bend_) flat = bend_->correct(frame);
+    std::vector<PlaneRegion> planes = planes_.process(flat);
+    if (bend_) bend_->learn(frame, planes);
+    return planes;
   });
-  result.view = thinnedOut(frame);
+  result.rectangles = timed(times.rectangles, [&] {
+    return rectangles_.process(flat, result.planes, expectedInCamera(asSent(tracking_.expected()), stamp, T_fixed_camera));
+  });
+  result.view = thinnedOut(flat);
   result.view.stamp = stamp;
   result.view.T_fixed_camera = asSent(T_fixed_camera);
   result.track_updates = timed(times.tracking, [&] {
@@ -94,6 +102,8 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.tracks = &known_.tracks();
   return result;
 }
+
+std::string Pipeline::bend() const { return bend_ ? bend_->inWords() : ""; }
 
 void Pipeline::reset() {
   tracking_.reset();

@@ -2,8 +2,11 @@
 #include "ros/plane_messages.h"
 
 #include <mutex>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 
 namespace cabinet_articulation {
@@ -43,6 +46,19 @@ PlaneArrayPtr PlaneMessages::make(const std::vector<core::PlaneRegion>& regions,
   spare_->lend(message.get());
   for (size_t i = 0; i < regions.size(); ++i) toMessage(regions[i], header, &message->planes[i]);
   return message;
+}
+
+std::vector<double> toMessage(const core::BendVector& bend) {
+  return bend.isZero(0) ? std::vector<double>() : std::vector<double>(bend.data(), bend.data() + bend.size());
+}
+
+core::BendVector bendOf(const PlaneArray& message) {
+  if (message.bend.empty()) return core::BendVector::Zero();
+  if (message.bend.size() != core::kBendTerms)
+    throw std::invalid_argument("bend has " + std::to_string(message.bend.size()) + " terms, expected " +
+                                std::to_string(core::kBendTerms) + ", or none");
+  for (const double term : message.bend) core::requireWithin("bend", term, core::limits::kBend);
+  return core::BendVector(message.bend.data());
 }
 
 }  // namespace cabinet_articulation

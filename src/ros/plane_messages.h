@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "bend/bend_basis.h"
 #include "cabinet_articulation/planes/plane_region.h"
 
 namespace cabinet_articulation {
@@ -23,5 +24,11 @@ class PlaneMessages {
   struct SpareMasks;
   std::shared_ptr<SpareMasks> spare_;
 };
+
+/// The bend that was taken from the disparity before planes were looked for; an empty list says 0.
+std::vector<double> toMessage(const core::BendVector& bend);
+
+/// Throws std::invalid_argument that names the element, its value and what was expected.
+core::BendVector bendOf(const PlaneArray& message);
 
 }  // namespace cabinet_articulation

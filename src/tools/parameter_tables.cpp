@@ -30,7 +30,7 @@ const std::vector<ParameterTable>& parameterTables() {
   static const std::vector<ParameterTable> tables{
       table<ImageTransportConfig, StageSettings>("rectify"),
       table<core::StereoConfig, SyncConfig, ImageTransportConfig, StageSettings>("stereo"),
-      table<core::PlanesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("planes"),
+      table<core::PlanesConfig, BendFileConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("planes"),
       table<core::RectanglesConfig, FrameInputConfig, SyncConfig, ImageTransportConfig, StageSettings>("rectangles"),
       table<core::TrackingConfig, FixedFrameConfig, StageSettings>("tracking"),
       table<core::LearningConfig, ModelFileConfig, FrameOutputConfig, StageSettings>("articulation"),

@@ -100,6 +100,9 @@ class Run {
     std::printf("report: %s\n", report_->write(facts, summary_).c_str());
   }
 
+  /// What is known of the bend of a depth camera, a line; empty for a pair.
+  std::string bend() const { return pipeline_.bend().empty() ? "" : pipeline_.bend() + "\n"; }
+
   const RunSummary& summary() const { return summary_; }
   const SkippedFrames& skipped() const { return skipped_; }
 
@@ -193,8 +196,8 @@ int run(const ProcessBagOptions& options) {
   }
   std::fprintf(stderr, "%s", run.skipped().text().c_str());
   if (run.summary().frames() > 0)
-    std::printf("%d frames of %s\n%s%s", run.summary().frames(), options.input.c_str(), run.summary().objects().c_str(),
-                run.summary().timing().c_str());
+    std::printf("%d frames of %s\n%s%s%s", run.summary().frames(), options.input.c_str(), run.summary().objects().c_str(),
+                run.bend().c_str(), run.summary().timing().c_str());
   run.writeReport(failure);
   if (failure.empty() && run.summary().frames() == 0) failure = options.input + ": no frame could be processed";
   if (!failure.empty()) std::fprintf(stderr, "process_bag: %s\n", failure.c_str());

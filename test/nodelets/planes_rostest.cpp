@@ -134,6 +134,29 @@ TEST_F(PlanesNodelet, FindsTheFrontInADepthImageOfMillimetres) {
   expectFront(answer(publish, depth_planes_), scene_);
 }
 
+/// bends.yaml says by how much this camera bends; the message says what was taken.
+TEST_F(PlanesNodelet, TakesABendThatAnEarlierRunLearned) {
+  core::StereoCamera camera = scene_.camera;
+  camera.baseline = 0.075;  // virtual_baseline
+  const auto bent = [&](int u, int v) {
+    const double x = (2 * u + 1.0) / camera.width - 1;
+    return static_cast<float>(camera.depth(camera.disparity(scene_.depth(u, v)) + 0.5 * (3 * x * x - 1) / 2));
+  };
+  Recorder<PlaneArray> planes("bent/planes");
+  ros::Publisher info = nh_.advertise<sensor_msgs::CameraInfo>("bent/camera_info", 10);
+  ros::Publisher image = nh_.advertise<sensor_msgs::Image>("bent/image", 10);
+  const auto publish = [&] {
+    const sensor_msgs::Image depth = test::disparityImage(camera, header(), bent).image;
+    info.publish(test::cameraInfo(camera, false, depth.header));
+    image.publish(depth);
+  };
+  const PlaneArray found = answer(publish, planes);
+  expectFront(found, scene_);
+  ASSERT_EQ(found.bend.size(), 12U);
+  EXPECT_EQ(found.bend[0], 0.5);
+  EXPECT_TRUE(std::all_of(found.bend.begin() + 1, found.bend.end(), [](double term) { return term == 0; }));
+}
+
 TEST_F(PlanesNodelet, SaysThatADisparityIsAllInvalid) {
   const auto publish_nothing = [&] { publish(test::disparityImage(scene_.camera, header(), [](int, int) { return 0.F; })); };
   EXPECT_TRUE(answer(publish_nothing, planes_).planes.empty());

@@ -21,6 +21,7 @@ LAYERS = {
     'geometry': set(),
     'stereo': {'config', 'geometry'},
     'planes': {'config', 'geometry', 'stereo'},
+    'bend': {'geometry', 'stereo', 'planes'},
     'rectangles': {'config', 'geometry', 'stereo', 'planes'},
     'tracking': {'config', 'geometry', 'rectangles'},
     'articulation': {'config', 'geometry', 'rectangles', 'tracking'},
@@ -28,7 +29,8 @@ LAYERS = {
     'joints': {'config', 'geometry', 'rectangles', 'tracking', 'articulation', 'kinds'},
     'closing': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints'},
     'structure': {'config', 'geometry', 'stereo', 'rectangles', 'tracking', 'articulation', 'joints', 'closing'},
-    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'rectangles', 'tracking', 'articulation', 'kinds', 'joints', 'closing', 'structure'},
+    'pipeline': {'config', 'geometry', 'stereo', 'planes', 'bend', 'rectangles', 'tracking', 'articulation', 'kinds', 'joints', 'closing',
+                 'structure'},
     'simulation': {'config', 'geometry', 'stereo'},
 }
 # Numbers that somebody chose (count_numbers.py): constants, other literals, defaults of settings. Lower them with the code.

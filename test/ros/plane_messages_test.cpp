@@ -89,5 +89,22 @@ TEST(PlaneConversion, NamesThePlaneWithABrokenMask) {
   EXPECT_EQ(errorOf([&] { fromMessage(message); }), "planes[1]: mask: holds 3 bytes in rows of 32, too few for 32x24 pixels");
 }
 
+TEST(PlaneConversion, TheBendComesBack) {
+  core::BendVector bend = core::BendVector::LinSpaced(-0.3, 0.4);
+  PlaneArray message;
+  EXPECT_TRUE(bendOf(message).isZero(0));
+  message.bend = toMessage(bend);
+  EXPECT_EQ(bendOf(message), bend) << "to the bit";
+  EXPECT_TRUE(toMessage(core::BendVector::Zero()).empty());
+}
+
+TEST(PlaneConversion, ABendThatIsNoneIsRefusedInWords) {
+  PlaneArray message;
+  message.bend.resize(11);
+  EXPECT_EQ(errorOf([&] { bendOf(message); }), "bend has 11 terms, expected 12, or none");
+  message.bend.assign(12, std::nan(""));
+  EXPECT_EQ(errorOf([&] { bendOf(message); }), "bend is nan, expected -20 to 20 px");
+}
+
 }  // namespace
 }  // namespace cabinet_articulation

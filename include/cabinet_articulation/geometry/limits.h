@@ -52,6 +52,7 @@ constexpr Limit kBaseline{0.001, 10, "m"};
 constexpr Limit kPlaneOffset{-100, 100, "m"};
 constexpr Limit kUnitLength{0.99, 1.01, "(a unit vector)"};
 constexpr Limit kDisparityPlane{-1e9, 1e9, "px"};          ///< planes that nearly pass through the camera are steep in disparity
+constexpr Limit kBend{-20, 20, "px"};                      ///< of a depth camera's disparity; a PrimeSense's is 0.75 px
 constexpr Limit kHullMargin{0, 1, "image sizes outside"};  ///< regions end at the border, fits may end a little beyond
 
 constexpr std::size_t kMostEntries = 10000;  ///< ours: openings, steps, ids or poses; an answer takes 10 MB

@@ -21,6 +21,7 @@ namespace cabinet_articulation::core {
 
 class ClosedFinder;
 class KindMemory;
+class SensorBend;
 class StructureFinder;
 
 /// The settings of all five stages.
@@ -48,7 +49,7 @@ struct StageTimes {
 /// What one frame gave. Rectangles in the left optical frame, tracks and models in the fixed frame. Histories are long: the
 /// pointer is valid until the next call.
 struct PipelineResult {
-  DepthFrame frame;
+  DepthFrame frame;  ///< as it was measured
   std::vector<PlaneRegion> planes;
   std::vector<DetectedRectangle> rectangles;
   DepthView view;  ///< in the fixed frame, as the learner saw it
@@ -77,7 +78,10 @@ class Pipeline {
 
   const std::vector<Track>& tracks() const { return known_.tracks(); }
 
-  /// Forgets all tracks and models.
+  /// What is known of the bend of a depth camera, in words; empty for a pair, or if planes are not to be refined.
+  std::string bend() const;
+
+  /// Forgets all tracks and models; the bend of the camera stays.
   void reset();
 
   /// Time was set back: joints stay known, and get their ids and histories back when they are seen again; all else is
@@ -88,6 +92,7 @@ class Pipeline {
   void tellTrackerOfJoints();
 
   BlockMatcher stereo_;
+  std::unique_ptr<SensorBend> bend_;  ///< none if planes are not to be refined
   PlaneSegmenter planes_;
   RectangleDetector rectangles_;
   RectangleTracker tracking_;

@@ -61,7 +61,9 @@ struct PlanesConfig {
     visit("max_regions", self.max_regions, Range{1, 1000}, "", "the largest regions are kept");
     visit("duplicate_overlap", self.duplicate_overlap, Range{0.05, 1}, "",
           "a region that shares this part of its pixels with a larger one is a duplicate, if the planes agree");
-    visit("refine", self.refine, "refine each region's plane on the two images (skipped without images)");
+    visit("refine", self.refine,
+          "refine each region's plane on the two images; without images, learn by how much the depth camera bends what is "
+          "flat, and take it away");
     visit("refine_iterations", self.refine_iterations, Range{1, 50}, "", "most Gauss-Newton steps");
     visit("refine_pixels", self.refine_pixels, Range{100, 1000000}, "", "most pixels of a region that are compared");
     visit("refine_max_shift", self.refine_max_shift, Range{0.01, 100}, "px",

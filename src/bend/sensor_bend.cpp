@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bend/sensor_bend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "bend/bend_estimate.h"
+
+namespace cabinet_articulation::core {
+namespace {
+
+constexpr std::size_t kMostViews = 200;  ///< ours: 48 suffice, and an estimate from 200 takes 1 ms
+constexpr double kMuchLarger = 1.25;     ///< ratio of pixels (ours) from which on a sight is measured again
+
+/// Files have twelve digits.
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
+
+bool sameCamera(const StereoCamera& a, const StereoCamera& b) {
+  return a.width == b.width && a.height == b.height && same(a.fx, b.fx) && same(a.fy, b.fy) && same(a.cx, b.cx) &&
+         same(a.cy, b.cy) && same(a.baseline, b.baseline);
+}
+
+}  // namespace
+
+void SensorBend::startFrom(const KnownBend& earlier) {
+  *this = SensorBend();
+  camera_ = earlier.camera;
+  bend_ = earlier.bend;
+  earlier_views_ = std::min(earlier.views, kMostViews);
+  largest_ = largestOf(bend_, {camera_.width, camera_.height});
+}
+
+DepthFrame SensorBend::correct(const DepthFrame& frame) {
+  if (!frame.left.empty()) return frame;
+  follow(frame.camera);
+  return correction_.process(frame, bend_);
+}
+
+void SensorBend::learn(const DepthFrame& frame, const std::vector<PlaneRegion>& regions) {
+  if (!frame.left.empty()) return;
+  follow(frame.camera);
+  bool is_new = false;
+  for (const PlaneRegion& region : regions)
+    if (showsBend(region)) is_new = add(frame, region) || is_new;
+  if (!is_new || views_.size() < earlier_views_) return;
+  earlier_views_ = 0;
+  bend_ = estimateBend(views_);
+  largest_ = largestOf(bend_, frame.disparity.size());
+}
+
+void SensorBend::follow(const StereoCamera& camera) {
+  if (sameCamera(camera, camera_)) return;
+  camera_ = camera;
+  views_.clear();
+  oldest_ = 0;
+  earlier_views_ = 0;
+  bend_.setZero();
+  largest_ = 0;
+}
+
+/// A sight that was seen before counts if much more of it is seen now, and then in place of what was seen before.
+bool SensorBend::add(const DepthFrame& frame, const PlaneRegion& region) {
+  const auto same = [&region](const BendView& view) { return sameSight(view.plane, region.plane); };
+  if (views_.empty()) views_.reserve(kMostViews);
+  const auto before = std::find_if(views_.begin(), views_.end(), same);
+  const bool is_known = before != views_.end();
+  if (is_known && (region.inliers < kMuchLarger * before->pixels || std::any_of(before + 1, views_.end(), same))) return false;
+  const auto view = survey_.process(frame.disparity, region);
+  if (!view) return false;
+  if (is_known) {
+    *before = *view;
+  } else if (views_.size() < kMostViews) {
+    views_.push_back(*view);
+  } else {
+    views_[oldest_] = *view;
+    oldest_ = (oldest_ + 1) % kMostViews;
+  }
+  return true;
+}
+
+std::string SensorBend::inWords() const {
+  if (camera_.width == 0) return "";
+  const std::string from = std::to_string(views()) + " views of large surfaces";
+  if (!isKnown()) return "no bend of the depth is known from " + from;
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f px", largest_);
+  return "the depth is corrected by up to " + std::string(text) + ", known from " + from;
+}
+
+double largestOf(const BendVector& bend, cv::Size size) {
+  cv::Mat1f image;
+  BendBasis(size).draw(bend, &image);
+  return image.empty() ? 0 : cv::norm(image, cv::NORM_INF);
+}
+
+}  // namespace cabinet_articulation::core
