@@ -27,6 +27,11 @@ bool wasJoint(const LearnedModel& model) { return model.moved && model.explained
 
 std::string nameOf(const LearnedModel& model) { return model.name.empty() ? defaultName(model.id) : model.name; }
 
+double typeProbability(const LearnedModel& model) {
+  const auto index = static_cast<std::size_t>(model.type);
+  return index < model.probabilities.size() ? model.probabilities[index] : 0;
+}
+
 void requireJoint(const LearnedModel& model) {
   if (wasJoint(model) && isGivenUp(model))
     throw ModelError(inWords(model) + " was taken for a " + modelName(model.type) +

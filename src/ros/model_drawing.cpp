@@ -29,10 +29,15 @@ std::string shortLabelOf(const core::LearnedModel& model) {
   return std::to_string(model.id) + (model.name.empty() ? "" : " " + model.name);
 }
 
+std::vector<std::string> labelLines(const std::string& label) {
+  const std::size_t comma = label.find(", ");
+  if (comma == std::string::npos) return {label};
+  return {label.substr(0, comma), label.substr(comma + 2)};
+}
+
 std::string labelOf(const core::LearnedModel& model) {
   const std::string front = shortLabelOf(model);
-  const auto index = static_cast<size_t>(model.type);
-  const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
+  const double probability = core::typeProbability(model);
   char text[128], opening[16] = "";
   if (!model.moved && !model.observed) {
     std::snprintf(text, sizeof(text), " %s %.0f %% expected", core::modelName(model.type), 100 * probability);

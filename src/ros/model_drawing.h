@@ -35,6 +35,9 @@ std::string shortLabelOf(const core::LearnedModel& model);
 /// "3 fridge rotational 98 %, 34 deg (0 to 87)"; without the name where it has none.
 std::string labelOf(const core::LearnedModel& model);
 
+/// A label as lines: name and type, then the opening, where it has one.
+std::vector<std::string> labelLines(const std::string& label);
+
 /// The hinge line along the front (rotational), or from one end of the front's centre's way to the other: from, to.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axisOf(const core::LearnedModel& model);
 

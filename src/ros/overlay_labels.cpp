@@ -31,9 +31,9 @@ std::string fitted(std::string line, int most) {
 }
 
 std::vector<std::string> linesOf(const std::string& text, int most) {
-  const std::size_t comma = text.find(", ");
-  if (comma == std::string::npos) return {fitted(text, most)};
-  return {fitted(text.substr(0, comma), most), fitted(text.substr(comma + 2), most)};
+  std::vector<std::string> lines = labelLines(text);
+  for (std::string& line : lines) line = fitted(line, most);
+  return lines;
 }
 
 int heightOf(const OverlayLabel& label) { return kText + 2 * kPadding + (label.gauge ? kBar + 2 : 0); }
@@ -70,10 +70,8 @@ void drawLeader(const OverlayLabel& label, const cv::Rect& box, cv::Mat3b* image
 std::optional<LabelGauge> gaugeOf(const core::LearnedModel& model) {
   if (!core::isJoint(model)) return std::nullopt;
   const auto share = [](double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0; };
-  const auto index = static_cast<std::size_t>(model.type);
-  const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
   const double seen = (model.q - model.q_min) / (model.q_max - model.q_min);
-  return LabelGauge{share(probability), share(model.closed_known ? model.opening : seen)};
+  return LabelGauge{share(core::typeProbability(model)), share(model.closed_known ? model.opening : seen)};
 }
 
 void drawLabels(std::vector<OverlayLabel> labels, cv::Mat3b* image) {

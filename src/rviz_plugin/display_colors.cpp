@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "cabinet_articulation/joints/joint.h"
+
 namespace cabinet_articulation {
 namespace {
 
@@ -22,11 +24,6 @@ Color colorOfShare(double share) {
   Color color{};
   for (std::size_t i = 0; i < color.size(); ++i) color[i] = (1 - at) * palette::kBlue[i] + at * palette::kYellow[i];
   return color;
-}
-
-double typeProbability(const core::LearnedModel& model) {
-  const auto index = static_cast<std::size_t>(model.type);
-  return index < model.probabilities.size() ? model.probabilities[index] : 0;
 }
 
 Color colorOf(const core::LearnedModel& model, ColorBy color_by, double age) {

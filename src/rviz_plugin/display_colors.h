@@ -17,9 +17,6 @@ Color colorOfId(std::uint32_t id);
 /// From blue (0) to yellow (1), which people with any kind of colour vision tell apart.
 Color colorOfShare(double share);
 
-/// Of the most probable type; 0 where none is known.
-double typeProbability(const core::LearnedModel& model);
-
 /// `age` is seconds between the newest observation of any front and the newest of this one.
 Color colorOf(const core::LearnedModel& model, ColorBy color_by, double age);
 

@@ -44,10 +44,8 @@ Color colorOf(const core::Track& track, const core::LearnedModel* model, ColorBy
 }  // namespace
 
 void drawRectangles(const std::vector<core::DetectedRectangle>& rectangles, ColorBy color_by, Drawing* drawing) {
-  for (std::size_t i = 0; i < rectangles.size(); ++i) {
-    const core::DetectedRectangle& seen = rectangles[i];
+  for (const core::DetectedRectangle& seen : rectangles) {
     Paint paint{kRectangleColor};
-    if (color_by == ColorBy::kId) paint.color = colorOfId(static_cast<std::uint32_t>(i));
     if (color_by == ColorBy::kProbability) paint.color = colorOfShare(seen.precision);
     addObservedEdges(seen.rectangle, seen.edge_support, paint, drawing);
     addSurface(seen.rectangle, {paint.color, kFaint}, drawing);

@@ -19,7 +19,8 @@ struct TrackStyle {
 };
 
 /// Each edge as eight dashes that together are as long as the share of it that was observed: an edge that was seen is a line, and
-/// one that was not has gaps or is missing. A faint surface shows where the whole rectangle is taken to be.
+/// one that was not has gaps or is missing. A faint surface shows where the whole rectangle is taken to be. Rectangles have neither
+/// id, type nor age: by these they have the colour that they have in overlay and markers.
 void drawRectangles(const std::vector<core::DetectedRectangle>& rectangles, ColorBy color_by, Drawing* drawing);
 
 /// `model` is what was learned from the track, or null. Without one, type and probability are grey.

@@ -105,7 +105,7 @@ TrackStyle FrontsDisplay::trackStyle() const {
 
 void FrontsDisplay::redraw() {
   Drawing rectangles, tracks;
-  drawRectangles(rectangles_, colorBy() == ColorBy::kId ? ColorBy::kType : colorBy(), &rectangles);
+  drawRectangles(rectangles_, colorBy(), &rectangles);
   shown_rectangles_->show(rectangles, lineStyle());
   const TrackStyle style = trackStyle();
   for (const core::Track& track : tracks_.tracks()) drawTrack(track, modelOf(track), style, &tracks);

@@ -17,10 +17,10 @@ constexpr Color kInk{1, 1, 1};          ///< legible before all colours of front
 constexpr float kGhostAlpha = 0.5F;
 constexpr float kAxisAlpha = 0.3F;
 
-/// Name and type above, opening below.
-std::string inTwoLines(std::string label) {
-  const std::size_t comma = label.find(", ");
-  return comma == std::string::npos ? label : label.replace(comma, 2, "\n");
+std::string inLines(const std::string& label) {
+  std::string text;
+  for (const std::string& line : labelLines(label)) text += (text.empty() ? "" : "\n") + line;
+  return text;
 }
 
 bool hasAxis(const core::LearnedModel& model) {
@@ -106,7 +106,7 @@ void drawJoints(const std::vector<core::LearnedModel>& models, const std::vector
     addOutline(front, {color}, drawing);
     if (isJoint(model)) drawJoint(model, tracks, style, color, drawing);
     if (!style.label) continue;
-    drawing->texts.push_back({front.center(), isJoint(model) ? inTwoLines(labelOf(model)) : shortLabelOf(model), {kInk}});
+    drawing->texts.push_back({front.center(), isJoint(model) ? inLines(labelOf(model)) : shortLabelOf(model), {kInk}});
   }
 }
 

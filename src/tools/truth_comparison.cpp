@@ -10,6 +10,7 @@
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/joints/hanging.h"
+#include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "geometry/degrees.h"
@@ -100,7 +101,7 @@ JointComparison TruthComparison::compareJoint(const History& truth, const Articu
   result.true_type = truth.last.type;
   result.true_range = truth.q_max - truth.q_min;
   result.model = model;
-  result.probability = model.type < model.probabilities.size() ? model.probabilities[model.type] : 0;
+  result.probability = core::typeProbability(placed.model);
   const bool follows = placed.frames.size() == truth.fronts.size();
   const core::LearnedModel learned = follows ? transformed(placed.model, placed.frames.back()) : placed.model;
   for (std::size_t i = 0; i < truth.fronts.size(); ++i) {

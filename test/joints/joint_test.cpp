@@ -23,6 +23,13 @@ TEST(Joint, IsWhatMovedAlongAPathThatAModelDescribes) {
   EXPECT_FALSE(isJoint(test::unexplainedModel()));
 }
 
+TEST(Joint, ProbabilityIsThatOfItsType) {
+  LearnedModel door = test::doorModel();
+  EXPECT_EQ(typeProbability(door), 0.97);
+  door.probabilities.clear();
+  EXPECT_EQ(typeProbability(door), 0) << "not given, as in a message from elsewhere";
+}
+
 TEST(Joint, IsNoneAnyMoreOnceAsMuchSpeaksAgainstItAsForIt) {
   LearnedModel door = test::doorModel();
   door.doubt = 0.99;

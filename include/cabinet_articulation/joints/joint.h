@@ -28,6 +28,9 @@ bool wasJoint(const LearnedModel& model);
 /// What the front is called: the name that people gave it, or "front_<id>", which stays when the type changes.
 std::string nameOf(const LearnedModel& model);
 
+/// Of the model's type, 0 to 1; 0 where the probabilities are not given.
+double typeProbability(const LearnedModel& model);
+
 /// Throws ModelError, with the reason in words, unless isJoint().
 void requireJoint(const LearnedModel& model);
 

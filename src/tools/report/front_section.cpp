@@ -31,9 +31,7 @@ std::string titleOf(const core::LearnedModel& model) {
 
 std::string typeText(const core::LearnedModel& model) {
   if (!core::wasJoint(model)) return "moved, but no joint fits";
-  const auto index = static_cast<std::size_t>(model.type);
-  const double probability = index < model.probabilities.size() ? model.probabilities[index] : 0;
-  std::string text = format("%s, %.1f %%", core::modelName(model.type), 100 * probability);
+  std::string text = format("%s, %.1f %%", core::modelName(model.type), 100 * core::typeProbability(model));
   if (core::isGivenUp(model)) text += ", given up: as many observations speak against it as for it";
   return text;
 }
