@@ -66,7 +66,8 @@ std::vector<std::size_t> sampledObservations(const core::Track& track, double de
 
 void drawTrack(const core::Track& track, const core::LearnedModel* model, const TrackStyle& style, Drawing* drawing) {
   if (track.observations.empty()) return;
-  const bool onto_model = style.projected && model && isJoint(*model);
+  // What hangs on another front has its model in that one's frame, which moved while the track was seen.
+  const bool onto_model = style.projected && model && model->parent == 0 && isJoint(*model);
   const double first = track.observations.front().stamp, newest = track.observations.back().stamp;
   std::vector<Eigen::Vector3d> way;
   for (const std::size_t i : sampledObservations(track, style.density)) {

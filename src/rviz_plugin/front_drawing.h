@@ -14,13 +14,13 @@ struct TrackStyle {
   ColorBy color_by = ColorBy::kId;
   double density = 20;       ///< [1/m] poses drawn for each metre of the centre's way; 0: all of them
   bool latest_only = false;  ///< the newest observation of each track
-  bool projected = false;    ///< moved to where the track's model says, where it is a joint
+  bool projected = false;    ///< moved to where the track's model says, where it is a joint of the world
   float alpha = 0.5F;        ///< of all but the newest observation
 };
 
 /// Each edge as eight dashes that together are as long as the share of it that was observed: an edge that was seen is a line, and
-/// one that was not has gaps or is missing. A faint surface shows where the whole rectangle is taken to be. Rectangles have neither
-/// id, type nor age: by these they have the colour that they have in overlay and markers.
+/// one that was not has gaps or is missing. A faint surface shows where the whole rectangle is taken to be. Rectangles have
+/// neither id, type nor age: by these they have the colour that they have in overlay and markers.
 void drawRectangles(const std::vector<core::DetectedRectangle>& rectangles, ColorBy color_by, Drawing* drawing);
 
 /// `model` is what was learned from the track, or null. Without one, type and probability are grey.

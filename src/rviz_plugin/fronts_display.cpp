@@ -50,20 +50,20 @@ void FrontsDisplay::subscribe() {
     try {
       rectangles_ = fromMessage(message);
       rectangles_header_ = message.header;
-      deleteStatus("Refused rectangles");
+      deleteStatus(kRefusedRectangles);
       changed();
     } catch (const std::invalid_argument& error) {
-      setStatus(StatusProperty::Error, "Refused rectangles", error.what());
+      setStatus(StatusProperty::Error, kRefusedRectangles, error.what());
     }
   });
   tracks_input_.subscribe(update_nh_, tracks_topic_->getTopicStd(), [this](const TrackArray& message) {
     try {
       tracks_.add(fromMessage(message));
       tracks_header_ = message.header;
-      deleteStatus("Refused tracks");
+      deleteStatus(kRefusedTracks);
       changed();
     } catch (const std::invalid_argument& error) {
-      setStatus(StatusProperty::Error, "Refused tracks", error.what());
+      setStatus(StatusProperty::Error, kRefusedTracks, error.what());
     }
   });
   models_input_.subscribe(update_nh_, models_topic_->getTopicStd(), [this](const ArticulationModelArray& message) {
@@ -81,9 +81,20 @@ void FrontsDisplay::unsubscribe() {
 }
 
 void FrontsDisplay::forget() {
+  forgetRectangles();
+  forgetTracks();
+}
+
+void FrontsDisplay::forgetRectangles() {
   rectangles_.clear();
+  for (const char* status : {kRefusedRectangles, kTransformOfRectangles}) deleteStatus(status);
+  changed();
+}
+
+void FrontsDisplay::forgetTracks() {
   tracks_.clear();
   models_.clear();
+  for (const char* status : {kRefusedTracks, kTransformOfTracks}) deleteStatus(status);
   changed();
 }
 
@@ -130,19 +141,16 @@ void tell(const LatestMessage<Message>& input, bool gone, std::size_t fronts, co
 
 void FrontsDisplay::follow() {
   const bool no_rectangles = rectangles_input_.isStale(timeout()), no_tracks = tracks_input_.isStale(timeout());
-  if (no_rectangles && !rectangles_.empty()) {
-    rectangles_.clear();
-    changed();
-  }
-  if (no_tracks && !tracks_.tracks().empty()) {
-    tracks_.clear();
-    models_.clear();
-    changed();
-  }
+  if (no_rectangles && !rectangles_.empty()) forgetRectangles();
+  if (no_tracks && !tracks_.tracks().empty()) forgetTracks();
+  if (no_rectangles) deleteStatus(kRefusedRectangles);
+  if (no_tracks) deleteStatus(kRefusedTracks);
+  if (rectangles_.empty()) deleteStatus(kTransformOfRectangles);
+  if (tracks_.tracks().empty()) deleteStatus(kTransformOfTracks);
   tell(rectangles_input_, no_rectangles, rectangles_.size(), "Rectangles", this);
   tell(tracks_input_, no_tracks, tracks_.tracks().size(), "Tracks", this);
-  if (!rectangles_.empty()) place(rectangles_header_, shown_rectangles_.get());
-  if (!tracks_.tracks().empty()) place(tracks_header_, shown_tracks_.get());
+  if (!rectangles_.empty()) place(rectangles_header_, kTransformOfRectangles, shown_rectangles_.get());
+  if (!tracks_.tracks().empty()) place(tracks_header_, kTransformOfTracks, shown_tracks_.get());
 }
 
 }  // namespace cabinet_articulation

@@ -29,6 +29,9 @@ class FrontsDisplay : public SceneDisplay {
   void setTopic(const QString& topic, const QString& datatype) override;
 
  private:
+  static constexpr char kRefusedRectangles[] = "Refused rectangles", kTransformOfRectangles[] = "Transform of rectangles";
+  static constexpr char kRefusedTracks[] = "Refused tracks", kTransformOfTracks[] = "Transform of tracks";
+
   void onInitialize() override;
   void subscribe() override;
   void unsubscribe() override;
@@ -36,6 +39,8 @@ class FrontsDisplay : public SceneDisplay {
   void redraw() override;
   void follow() override;
 
+  void forgetRectangles();
+  void forgetTracks();
   const core::LearnedModel* modelOf(const core::Track& track) const;
   TrackStyle trackStyle() const;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "articulation/models/model_registry.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 
 namespace cabinet_articulation {
@@ -37,12 +38,16 @@ Eigen::Matrix2d squareRoot(const Eigen::Matrix2d& covariance) {
 std::vector<core::Rectangle> ghostsOf(const core::LearnedModel& model, const std::vector<core::Track>& tracks,
                                       const JointStyle& style) {
   if (style.ghosts <= 0) return {};
-  if (!style.at_observations) return sweepOf(model, std::max(1, style.ghosts - 1));
+  if (!style.at_observations && style.ghosts == 1) return {frontAt(model, model.q_max)};
+  if (!style.at_observations) return sweepOf(model, style.ghosts - 1);
+  // Where the parent was when the front was seen is not known here.
+  if (model.parent != 0) return {};
   const auto track =
       std::find_if(tracks.begin(), tracks.end(), [&](const core::Track& candidate) { return candidate.id == model.id; });
   std::vector<core::Rectangle> ghosts;
   if (track == tracks.end()) return ghosts;
-  const std::size_t seen = track->observations.size(), step = std::max<std::size_t>(1, seen / style.ghosts);
+  const std::size_t seen = track->observations.size(), most = static_cast<std::size_t>(style.ghosts);
+  const std::size_t step = (seen + most - 1) / most;
   for (std::size_t i = 0; i < seen; i += step)
     ghosts.push_back(frontAt(model, model.configuration(track->observations[i].rectangle.pose)));
   return ghosts;
@@ -98,7 +103,7 @@ void drawJoints(const std::vector<core::LearnedModel>& models, const std::vector
                 Drawing* drawing) {
   double newest = 0;
   for (const core::LearnedModel& model : models) newest = std::max(newest, model.stamp);
-  for (const core::LearnedModel& model : models) {
+  for (const core::LearnedModel& model : core::allPlaced(models)) {
     if (!isJoint(model) && !style.resting) continue;
     const Color color = colorOf(model, style.color_by, newest - model.stamp);
     const core::Rectangle front = frontAt(model, model.q);

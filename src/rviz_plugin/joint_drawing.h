@@ -13,14 +13,15 @@ namespace cabinet_articulation {
 struct JointStyle {
   ColorBy color_by = ColorBy::kType;
   float alpha = 0.4F;            ///< of the surface
-  int ghosts = 6;                ///< fronts over the range, at most as many observations; 0: none
-  bool at_observations = false;  ///< ghosts where the front was seen, moved to where the model says
+  int ghosts = 6;                ///< fronts over the range, at most as many observations; 1: at q_max; 0: none
+  bool at_observations = false;  ///< ghosts where a front of the world was seen, moved to where the model says
   bool axis = true;              ///< the axis and how uncertain it is
   bool label = true;
   bool resting = true;  ///< also fronts that did not move, or in a way that no joint explains
 };
 
-/// Everything in the frame of the models; tracks are those of the same frame, or none.
+/// Everything in the frame of the fronts that hang on the world; tracks are those of the same frame, or none. What hangs on
+/// another front is drawn where that one is now, and left out where that one is not among the models.
 void drawJoints(const std::vector<core::LearnedModel>& models, const std::vector<core::Track>& tracks, const JointStyle& style,
                 Drawing* drawing);
 

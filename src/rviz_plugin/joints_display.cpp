@@ -10,6 +10,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <stdexcept>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "rviz_plugin/joint_table.h"
 
 namespace cabinet_articulation {
@@ -66,11 +67,12 @@ void JointsDisplay::unsubscribe() {
 void JointsDisplay::take(const ArticulationModelArray& message) {
   std::string left_out;
   models_ = usableModels(message, &left_out);
+  lost_ = models_.size() - core::thoseOnKnown(models_).size();
   header_ = message.header;
   if (left_out.empty()) {
-    deleteStatus("Refused models");
+    deleteStatus(kRefusedModels);
   } else {
-    setStatusStd(StatusProperty::Error, "Refused models", left_out);
+    setStatusStd(StatusProperty::Error, kRefusedModels, left_out);
   }
   changed();
 }
@@ -79,16 +81,17 @@ void JointsDisplay::take(const TrackArray& message) {
   try {
     tracks_.add(fromMessage(message));
     tracks_frame_ = message.header.frame_id;
-    deleteStatus("Refused tracks");
+    deleteStatus(kRefusedTracks);
     changed();
   } catch (const std::invalid_argument& error) {
-    setStatus(StatusProperty::Error, "Refused tracks", error.what());
+    setStatus(StatusProperty::Error, kRefusedTracks, error.what());
   }
 }
 
 void JointsDisplay::forget() {
   models_.clear();
   tracks_.clear();
+  for (const char* status : {kRefusedModels, kRefusedTracks, kTransform}) deleteStatus(status);
   changed();
 }
 
@@ -114,13 +117,16 @@ void JointsDisplay::redraw() {
 void JointsDisplay::follow() {
   const bool gone = models_input_.isStale(timeout());
   if (gone && !models_.empty()) forget();
+  if (gone) deleteStatus(kRefusedModels);
   if (!models_input_.isWanted()) return setStatus(StatusProperty::Warn, "Models", "no topic is chosen");
   if (models_input_.count() == 0 || gone) {
     setStatusStd(StatusProperty::Warn, "Models", models_input_.whatIsMissing());
     return;
   }
-  setStatusStd(StatusProperty::Ok, "Models", summaryOf(models_));
-  if (!models_.empty()) place(header_, shown_.get());
+  const std::string summary = summaryOf(models_) + (lost_ > 0 ? "; " + std::to_string(lost_) + " hang on unknown fronts" : "");
+  setStatusStd(lost_ > 0 ? StatusProperty::Warn : StatusProperty::Ok, "Models", summary);
+  if (models_.empty()) return deleteStatus(kTransform);
+  place(header_, kTransform, shown_.get());
 }
 
 }  // namespace cabinet_articulation

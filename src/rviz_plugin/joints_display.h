@@ -29,6 +29,8 @@ class JointsDisplay : public SceneDisplay {
   void setTopic(const QString& topic, const QString& datatype) override;
 
  private:
+  static constexpr char kRefusedModels[] = "Refused models", kRefusedTracks[] = "Refused tracks", kTransform[] = "Transform";
+
   void onInitialize() override;
   void subscribe() override;
   void unsubscribe() override;
@@ -52,6 +54,7 @@ class JointsDisplay : public SceneDisplay {
   std_msgs::Header header_;
   std::string tracks_frame_;
   std::vector<core::LearnedModel> models_;
+  std::size_t lost_ = 0;  ///< of the models, those whose parent is not among them
   core::TrackAssembly tracks_;
   std::unique_ptr<ShownDrawing> shown_;
 };

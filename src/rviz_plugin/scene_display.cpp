@@ -70,22 +70,21 @@ LineStyle SceneDisplay::lineStyle() const { return {line_width_->getFloat(), tex
 
 double SceneDisplay::timeout() const { return timeout_->getFloat(); }
 
-void SceneDisplay::place(const std_msgs::Header& header, ShownDrawing* drawing) {
+void SceneDisplay::place(const std_msgs::Header& header, const QString& status, ShownDrawing* drawing) {
   rviz::FrameManager* frames = context_->getFrameManager();
   Ogre::Vector3 position;
   Ogre::Quaternion orientation;
   const bool known = frames->getTransform(header, position, orientation) ||
                      frames->getTransform(header.frame_id, ros::Time(), position, orientation);
   drawing->setVisible(known);
-  const QString name = QString::fromStdString("Transform of " + header.frame_id);
   if (known) {
     drawing->place(position, orientation);
-    deleteStatus(name);
+    deleteStatus(status);
     return;
   }
   std::string why;
   if (!frames->transformHasProblems(header.frame_id, ros::Time(), why)) why = "not known yet";
-  setStatusStd(rviz::StatusProperty::Error, name.toStdString(), why);
+  setStatusStd(rviz::StatusProperty::Error, status.toStdString(), header.frame_id + ": " + why);
 }
 
 }  // namespace cabinet_articulation

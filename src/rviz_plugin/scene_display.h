@@ -36,7 +36,7 @@ class SceneDisplay : public rviz::Display {
   virtual void subscribe() = 0;
   virtual void unsubscribe() = 0;
 
-  /// Forgets all messages; what is drawn goes with the next redraw().
+  /// Forgets all messages and what statuses say of them; what is drawn goes with the next redraw().
   virtual void forget() = 0;
 
   /// After messages or settings changed.
@@ -52,8 +52,8 @@ class SceneDisplay : public rviz::Display {
   double timeout() const;
 
   /// Puts a drawing where its frame is, and hides it where tf does not know. Tries the time of the header first and then the
-  /// newest transform, so that nothing flickers while tf is late.
-  void place(const std_msgs::Header& header, ShownDrawing* drawing);
+  /// newest transform, so that nothing flickers while tf is late. `status` is the name under which it says what is missing.
+  void place(const std_msgs::Header& header, const QString& status, ShownDrawing* drawing);
 
  protected Q_SLOTS:
   void changed() { dirty_ = true; }

@@ -117,6 +117,53 @@ TEST(JointDrawing, GhostsAtObservations) {
   EXPECT_EQ(with.lines.size() - without.lines.size(), 16u) << "four ghosts of four edges";
 }
 
+TEST(JointDrawing, NeverMoreGhostsThanAskedFor) {
+  JointStyle style;
+  style.axis = style.label = false;
+  const auto ghosts = [&](int asked, int observations) {
+    style.ghosts = asked;
+    // The front's outline and the way of 16 steps are lines, too.
+    Drawing drawing;
+    drawJoints({test::doorModel()}, {openingDoor(observations)}, style, &drawing);
+    return (static_cast<int>(drawing.lines.size()) - 4 - 16) / 4;
+  };
+  for (const int asked : {1, 2, 6}) EXPECT_EQ(ghosts(asked, 11), asked) << "over the range";
+  style.at_observations = true;
+  EXPECT_EQ(ghosts(1, 11), 1);
+  EXPECT_EQ(ghosts(6, 11), 6);
+  EXPECT_EQ(ghosts(6, 13), 5);
+  EXPECT_EQ(ghosts(6, 3), 3);
+}
+
+TEST(JointDrawing, WhatHangsOnADoorIsDrawnWhereTheDoorIs) {
+  const core::LearnedModel door = test::doorModel(), leaf = test::leafModel();
+  const Eigen::Isometry3d at_edge(Eigen::Translation3d(0.2, 0, 0)), fold(Eigen::AngleAxisd(leaf.q, Eigen::Vector3d::UnitY()));
+  const core::Rectangle truth{door.predict(door.q) * at_edge * fold * at_edge, leaf.width, leaf.height};
+  JointStyle style;
+  style.axis = style.label = false;
+  style.at_observations = true;
+  core::Track seen = openingDoor(8);
+  seen.id = leaf.id;
+  Drawing drawing;
+  drawJoints({door, leaf}, {seen}, style, &drawing);
+  ASSERT_EQ(drawing.triangles.size(), 4u) << "two surfaces";
+  EXPECT_TRUE(drawing.triangles[2].corners[0].isApprox(truth.corners()[0], 1e-9));
+  EXPECT_EQ(drawing.lines.size(), 2 * (4 + 16u)) << "observations are in another frame than its model: no ghosts at them";
+  Drawing alone;
+  drawJoints({leaf}, {}, style, &alone);
+  EXPECT_TRUE(alone.triangles.empty()) << "nobody knows where it is";
+}
+
+TEST(FrontDrawing, ObservationsOfWhatHangsOnADoorAreNotProjected) {
+  core::Track track = openingDoor(20);
+  const core::LearnedModel leaf = test::leafModel();
+  TrackStyle style;
+  style.projected = true;
+  Drawing drawing;
+  drawTrack(track, &leaf, style, &drawing);
+  EXPECT_TRUE(drawing.texts[0].at.isApprox(track.observations.back().rectangle.center(), 1e-12));
+}
+
 TEST(JointDrawing, RestingFrontsCanBeLeftOut) {
   JointStyle style;
   style.resting = false;

@@ -62,6 +62,16 @@ inline core::LearnedModel drawerModel() {
   return model;
 }
 
+/// The second leaf of a folding door, hinged to the far edge of doorModel(), in whose front's frame it is described.
+inline core::LearnedModel leafModel() {
+  core::LearnedModel model = doorModel();
+  model.id = 7;
+  model.parent = 3;
+  model.origin = Eigen::Translation3d(0.4, 0, 0);
+  model.axis_point = Eigen::Vector3d(0.2, 0, 0);
+  return model;
+}
+
 /// A garage door's front, half way up: it slides and turns.
 inline core::LearnedModel garageModel() {
   core::LearnedModel model;
