@@ -2,16 +2,34 @@
 #include "rviz_plugin/pipeline_client.h"
 
 #include <cabinet_articulation/ArticulationModelArray.h>
+#include <ros/connection.h>
+#include <ros/service_manager.h>
 
 #include <algorithm>
 
 namespace cabinet_articulation {
 
+namespace {
+
+constexpr std::chrono::seconds kPatience{10};  ///< ours: a pipeline answers between two frames, within a second or so
+constexpr int kWatchPeriod = 200;              ///< [ms] ours
+
+/// Ends the wait in ServiceServerLink::call(), which is safe in any thread. ros::ServiceClient cannot do so: its shutdown()
+/// leaves a call alone whose connection is made for that call.
+void breakOff(const ros::ServiceServerLinkPtr& connection) { connection->getConnection()->drop(ros::Connection::Destructing); }
+
+}  // namespace
+
+PipelineClient::PipelineClient() : worker_([this] { work(); }) {
+  connect(&watch_, &QTimer::timeout, this, &PipelineClient::breakOffLateCall);
+  watch_.start(kWatchPeriod);
+}
+
 PipelineClient::~PipelineClient() {
   {
     std::lock_guard<std::mutex> lock(mutex_);
     over_ = true;
-    calling_.shutdown();
+    if (calling_) breakOff(calling_);
   }
   came_.notify_all();
   worker_.join();
@@ -44,15 +62,40 @@ void PipelineClient::work() {
   }
 }
 
-bool PipelineClient::begin(const ros::ServiceClient& client) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  calling_ = client;
-  return !over_;
+std::string PipelineClient::exchange(const std::string& name, const std::string& md5sum, const ros::SerializedMessage& request,
+                                     ros::SerializedMessage* answer) {
+  if (!ros::service::exists(name, false)) return name + " is not there: is the pipeline running in this namespace?";
+  const ros::ServiceServerLinkPtr connection =
+      ros::ServiceManager::instance()->createServiceServerLink(name, false, md5sum, md5sum, {});
+  bool answered = false;
+  if (connection && begin(connection)) {
+    answered = connection->call(request, *answer);
+    if (!end())
+      return name + " gave no answer within " + std::to_string(kPatience.count()) + " s: the pipeline is busy, or hangs";
+  }
+  return answered ? "" : name + " did not answer: the pipeline ended or refused the request";
 }
 
-void PipelineClient::end() {
+bool PipelineClient::begin(const ros::ServiceServerLinkPtr& connection) {
   std::lock_guard<std::mutex> lock(mutex_);
-  calling_ = ros::ServiceClient();
+  if (over_) return false;
+  calling_ = connection;
+  deadline_ = std::chrono::steady_clock::now() + kPatience;
+  late_ = false;
+  return true;
+}
+
+bool PipelineClient::end() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  calling_.reset();
+  return !late_;
+}
+
+void PipelineClient::breakOffLateCall() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (!calling_ || std::chrono::steady_clock::now() < deadline_) return;
+  late_ = true;
+  breakOff(calling_);
 }
 
 void PipelineClient::findNamespaces(const std::function<void(const std::vector<std::string>&)>& answered) {

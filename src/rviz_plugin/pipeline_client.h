@@ -2,8 +2,11 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <ros/service_server_link.h>
 
 #include <QObject>
+#include <QTimer>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -15,10 +18,11 @@
 namespace cabinet_articulation {
 
 /// Calls a pipeline's services in a thread of its own: a pipeline that is busy, or gone, does not hold up RViz. Answers come in
-/// the thread of this object, and not at all once it is gone.
+/// the thread of this object, and not at all once it is gone. A call without an answer ends after ten seconds, or with this
+/// object.
 class PipelineClient : public QObject {
  public:
-  PipelineClient() : worker_([this] { work(); }) {}
+  PipelineClient();
   ~PipelineClient() override;
 
   /// Calls `service`, an absolute name. Where it cannot be reached, the answer has success = false and says why. A request that
@@ -43,26 +47,36 @@ class PipelineClient : public QObject {
 
   template <class Service>
   void reach(const std::string& name, Service* call) {
+    namespace serialization = ros::serialization;
     call->response.success = false;
-    if (!ros::service::exists(name, false)) {
-      call->response.message = name + " is not there: is the pipeline running in this namespace?";
-      return;
+    ros::SerializedMessage answer;
+    call->response.message =
+        exchange(name, ros::service_traits::md5sum<Service>(), serialization::serializeMessage(call->request), &answer);
+    if (!call->response.message.empty()) return;
+    try {
+      serialization::deserializeMessage(answer, call->response);
+    } catch (const ros::serialization::StreamOverrunException& error) {
+      call->response.message = name + " sent an answer that cannot be read: " + error.what();
     }
-    ros::ServiceClient client = ros::NodeHandle().serviceClient<Service>(name);
-    if (!begin(client)) return;
-    if (!client.call(*call)) call->response.message = name + " did not answer: the pipeline ended or refused the request";
-    end();
   }
 
-  /// Between these the destructor can break off a call. False when all is over already.
-  bool begin(const ros::ServiceClient& client);
-  void end();
+  /// Returns in words why there is no answer; empty if there is one.
+  std::string exchange(const std::string& name, const std::string& md5sum, const ros::SerializedMessage& request,
+                       ros::SerializedMessage* answer);
 
-  std::mutex mutex_;  ///< guards all but the thread
+  /// Between these a call can be broken off. begin() is false when all is over already, end() when the call took too long.
+  bool begin(const ros::ServiceServerLinkPtr& connection);
+  bool end();
+
+  void breakOffLateCall();
+
+  std::mutex mutex_;  ///< guards all but the thread and the timer
   std::condition_variable came_;
   std::deque<std::pair<std::string, Work>> waiting_;
-  ros::ServiceClient calling_;
-  bool over_ = false;
+  ros::ServiceServerLinkPtr calling_;
+  std::chrono::steady_clock::time_point deadline_;
+  bool late_ = false, over_ = false;
+  QTimer watch_;
   std::thread worker_;  ///< last: it uses all of these
 };
 
