@@ -26,22 +26,31 @@ JointTableWidget::JointTableWidget(QWidget* parent) : QTableWidget(0, kColumns, 
 }
 
 void JointTableWidget::showRows(const std::vector<JointRow>& rows) {
-  const std::uint32_t selected = selectedId();
-  bool same = rows.size() == rows_.size();
-  for (std::size_t i = 0; same && i < rows.size(); ++i) same = rows[i].id == rows_[i].id;
   filling_ = true;
-  if (!same) {
+  // Both lists are ordered by id. Rows are taken out and put in one by one: Qt then keeps the selection and editor of the others.
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    while (i < rows_.size() && rows_[i].id < rows[i].id) takeOut(i);
+    if (i == rows_.size() || rows_[i].id != rows[i].id) putIn(i, rows[i]);
+    rows_[i] = rows[i];
+    showRow(static_cast<int>(i), rows[i]);
+  }
+  while (rows_.size() > rows.size()) takeOut(rows.size());
+  filling_ = false;
+}
+
+void JointTableWidget::takeOut(std::size_t row) {
+  // Qt would select a neighbour, which the next click on "Forget" would mean.
+  if (currentRow() == static_cast<int>(row) || selectedId() == rows_[row].id) {
     clearSelection();
     setCurrentItem(nullptr);
-    setRowCount(static_cast<int>(rows.size()));
   }
-  rows_ = rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) showRow(static_cast<int>(i), rows[i]);
-  for (std::size_t i = 0; !same && i < rows.size(); ++i)
-    if (rows[i].id == selected) selectRow(static_cast<int>(i));
-  filling_ = false;
-  // Else a person's editor would be closed by every message.
-  if (!same) Q_EMIT itemSelectionChanged();
+  rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(row));
+  removeRow(static_cast<int>(row));
+}
+
+void JointTableWidget::putIn(std::size_t row, const JointRow& joint) {
+  rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(row), joint);
+  insertRow(static_cast<int>(row));
 }
 
 void JointTableWidget::showRow(int row, const JointRow& joint) {

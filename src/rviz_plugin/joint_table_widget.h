@@ -21,6 +21,7 @@ class JointTableWidget : public QTableWidget {
 
   explicit JointTableWidget(QWidget* parent = nullptr);
 
+  /// Ordered by id.
   void showRows(const std::vector<JointRow>& rows);
 
   /// 0: nobody.
@@ -31,6 +32,8 @@ class JointTableWidget : public QTableWidget {
   void renamed(unsigned id, const QString& name);
 
  private:
+  void takeOut(std::size_t row);
+  void putIn(std::size_t row, const JointRow& joint);
   void showRow(int row, const JointRow& joint);
   void setText(int row, Column column, const std::string& text);
   QProgressBar* bar(int row);

@@ -10,11 +10,13 @@
 #include <std_srvs/Trigger.h>
 
 #include <QCheckBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSaveFile>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QXmlStreamReader>
 #include <cmath>
 #include <stdexcept>
 
@@ -28,6 +30,16 @@ namespace cabinet_articulation {
 namespace {
 
 constexpr std::uint32_t kPathSteps = 40;  ///< enough for a curve to look round
+
+/// Models are saved under names of the same field: their file must not be lost to a click on the wrong button.
+bool holdsOtherThanUrdf(const QString& path) {
+  QFile file(path);
+  if (!file.exists()) return false;
+  if (!file.open(QIODevice::ReadOnly)) return true;
+  if (file.size() == 0) return false;
+  QXmlStreamReader document(&file);
+  return !document.readNextStartElement() || document.name() != QLatin1String("robot");
+}
 
 }  // namespace
 
@@ -96,6 +108,8 @@ void KitchenPanel::rename(unsigned id, const QString& name) {
   call.request.name = name.trimmed().toStdString();
   client_.ask("set_name " + std::to_string(id), resolved("set_name"), call, [this](const SetName& answer) {
     tell(answer.response.success, answer.response.message);
+    for (core::LearnedModel& model : models_)
+      if (answer.response.success && model.id == answer.request.id) model.name = answer.request.name;
     table_->showRows(jointRows(models_));
   });
 }
@@ -115,6 +129,9 @@ void KitchenPanel::loadModels() {
 void KitchenPanel::exportUrdf() {
   const QString path = file_->text().trimmed();
   if (path.isEmpty()) return tell(false, "name the file of this computer that the URDF goes to");
+  if (holdsOtherThanUrdf(path))
+    return tell(false,
+                ("'" + path + "' is there and is no robot description; it is left as it is: name another file").toStdString());
   client_.ask("export_urdf", resolved("export_urdf"), ExportUrdf(), [this, path](const ExportUrdf& answer) {
     if (!answer.response.success) return tell(false, answer.response.message);
     QSaveFile file(path);

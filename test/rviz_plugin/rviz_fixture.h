@@ -30,6 +30,12 @@ inline bool waitFor(const std::function<bool()>& done) {
   });
 }
 
+inline ArticulationModelArray modelsOf(const std::vector<core::LearnedModel>& models, const std::string& frame) {
+  std_msgs::Header header;
+  header.frame_id = frame;
+  return toMessage(models, header);
+}
+
 /// A process can have one.
 struct Rviz {
   Rviz() : manager(&window) {

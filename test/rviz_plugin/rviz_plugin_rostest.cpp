@@ -1,62 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Displays and panel in RViz, before an articulation nodelet that learns a door and a drawer.
 #include <cabinet_articulation/ExportUrdf.h>
-#include <cabinet_articulation/Predict.h>
-#include <rviz/panel.h>
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableWidget>
-#include <fstream>
-#include <pluginlib/class_loader.hpp>
-#include <sstream>
 
-#include "cabinet_articulation/joints/model_file.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "rviz_plugin/rviz_fixture.h"
+#include "rviz_plugin/kitchen_fixture.h"
+#include "rviz_plugin/sleeping_service.h"
 #include "rviz_plugin/virtual_display.h"
+#include "support/models.h"
 
 namespace cabinet_articulation {
 namespace {
 
+using test::Kitchen;
+using test::modelsOf;
 using test::RvizPlugin;
 using test::waitFor;
-
-class Kitchen : public RvizPlugin {
- protected:
-  Kitchen() : panel_(loader_.createInstance("cabinet_articulation/Kitchen")) { panel_->initialize(&manager_); }
-
-  template <class Widget>
-  Widget* find(const char* name) {
-    auto* widget = panel_->findChild<Widget*>(name);
-    EXPECT_TRUE(widget) << name;
-    return widget;
-  }
-
-  QTableWidget* table() { return find<QTableWidget>("joints"); }
-  std::string answer() { return find<QLabel>("answer")->text().toStdString(); }
-  bool answered(const std::string& words) {
-    return waitFor([&] { return answer().find(words) != std::string::npos; });
-  }
-
-  static Predict::Response predict(std::uint32_t id, double q) {
-    Predict call;
-    call.request.id = id;
-    call.request.q = {q};
-    EXPECT_TRUE(ros::service::call("/cabinet/predict", call));
-    return call.response;
-  }
-
-  void playUntilShown(double start) {
-    play(start);
-    ASSERT_TRUE(waitFor([&] { return table()->rowCount() == 2; }));
-  }
-
-  pluginlib::ClassLoader<rviz::Panel> loader_{"rviz", "rviz::Panel"};
-  boost::shared_ptr<rviz::Panel> panel_;
-};
 
 TEST_F(RvizPlugin, FrontsAreDrawnWhereTheyAre) {
   rviz::Display* fronts = addDisplay("Fronts");
@@ -100,20 +65,53 @@ TEST_F(RvizPlugin, JointsAreDrawnWhereTheFrontsAre) {
   EXPECT_TRUE(waitFor([&] { return drawnIn(joints->getSceneNode(), boxOf(truth())); }));
 }
 
-TEST_F(RvizPlugin, ModelsOfAFrameThatNobodyKnowsAreHiddenAndItSaysSo) {
+TEST_F(RvizPlugin, StatusesGoWithTheirCause) {
   rviz::Display* joints = addDisplay("Joints");
-  frame_id_ = "nowhere";
-  play(200);
-  EXPECT_TRUE(waitFor([&] { return statusOf(joints, "Transform of nowhere").contains("nowhere"); }));
-  EXPECT_FALSE(drawnIn(joints->getSceneNode(), boxOf(truth())));
+  joints->subProp("Models")->setValue("/other/models");
+  ros::Publisher output = ros::NodeHandle().advertise<ArticulationModelArray>("/other/models", 1);
+  core::LearnedModel door = test::doorModel();
+  const Eigen::AlignedBox3d box = boxOf({core::frontAt(door, door.q)});
+  const auto shown = [&](const std::string& frame, const std::function<bool()>& done) {
+    return waitFor([&] {
+      output.publish(modelsOf({door}, frame));
+      return done();
+    });
+  };
+  EXPECT_TRUE(shown("nowhere", [&] { return statusOf(joints, "Transform").contains("nowhere"); }));
+  EXPECT_FALSE(drawnIn(joints->getSceneNode(), box));
+  for (const char* property : {"Axis", "Label"}) joints->subProp(property)->setValue(false);
+  joints->subProp("Ghosts")->setValue(0);
+  EXPECT_TRUE(shown("map", [&] { return drawnIn(joints->getSceneNode(), box) && statusOf(joints, "Transform").isEmpty(); }));
+  door.width = -1;
+  EXPECT_TRUE(shown("map", [&] { return !statusOf(joints, "Refused models").isEmpty(); }));
+  output.shutdown();
+  EXPECT_TRUE(waitFor([&] { return statusOf(joints, "Refused models").isEmpty(); }));
+}
+
+TEST_F(RvizPlugin, WhatHangsOnADoorIsDrawnWhereTheDoorIs) {
+  rviz::Display* joints = addDisplay("Joints");
+  for (const char* property : {"Axis", "Label"}) joints->subProp(property)->setValue(false);
+  joints->subProp("Ghosts")->setValue(0);
+  joints->subProp("Models")->setValue("/other/models");
+  ros::Publisher output = ros::NodeHandle().advertise<ArticulationModelArray>("/other/models", 1);
+  const core::LearnedModel door = test::doorModel(), leaf = test::leafModel();
+  const core::Rectangle door_now = core::frontAt(door, door.q), leaf_now{door_now.pose * leaf.predict(leaf.q), 0.4, 0.6};
+  EXPECT_TRUE(waitFor([&] {
+    output.publish(modelsOf({door, leaf}, "map"));
+    return drawnIn(joints->getSceneNode(), boxOf({door_now, leaf_now}));
+  }));
+  EXPECT_TRUE(waitFor([&] {
+    output.publish(modelsOf({leaf}, "map"));
+    return statusOf(joints, "Models").contains("1 hang on unknown fronts") && !drawsAnything(joints->getSceneNode());
+  }));
 }
 
 TEST_F(Kitchen, NamesSlidesSavesAndForgets) {
-  playUntilShown(300);
+  ASSERT_NO_FATAL_FAILURE(playUntilShown(300));
   const std::uint32_t door = tracks_[0].id, drawer = tracks_[1].id;
-
   table()->item(0, 0)->setText("fridge");
   ASSERT_TRUE(answered("fridge"));
+  EXPECT_EQ(table()->item(0, 0)->text().toStdString(), "fridge") << "before the next models tell";
   ExportUrdf urdf;
   ASSERT_TRUE(ros::service::call("/cabinet/export_urdf", urdf));
   EXPECT_NE(urdf.response.urdf.find("\"fridge\""), std::string::npos);
@@ -129,38 +127,52 @@ TEST_F(Kitchen, NamesSlidesSavesAndForgets) {
   EXPECT_TRUE(waitFor([&] { return drawnIn(manager_.getSceneManager()->getRootSceneNode(), boxOf({tried})); }));
   EXPECT_EQ(find<QLabel>("predicted")->text().toStdString(), "40 deg");
 
-  const std::string file = testing::TempDir() + "kitchen_panel.yaml";
-  std::remove(file.c_str());
-  find<QLineEdit>("file")->setText(QString::fromStdString(file));
-  find<QPushButton>("save")->click();
-  ASSERT_TRUE(answered("2 fronts saved"));
-  const core::ModelFile saved = core::readModelFile(file);
-  ASSERT_EQ(saved.fronts.size(), 2u);
-  EXPECT_EQ(saved.fronts[0].model.name, "fridge");
+  ASSERT_NO_FATAL_FAILURE(saveAndExport());
+  forgetAndReset(door, drawer);
+}
 
-  const std::string description = testing::TempDir() + "kitchen_panel.urdf";
-  find<QLineEdit>("file")->setText(QString::fromStdString(description));
-  find<QPushButton>("urdf")->click();
-  ASSERT_TRUE(answered("URDF written"));
-  std::stringstream written;
-  written << std::ifstream(description).rdbuf();
-  EXPECT_NE(written.str().find("\"fridge\""), std::string::npos);
+TEST_F(Kitchen, RowsThatComeAndGoLeaveTheOthersAlone) {
+  listenToOther();
+  core::LearnedModel named = test::restingModel();
+  named.name = "oven";
+  const core::LearnedModel door = test::doorModel();
+  ASSERT_TRUE(showsRows({door}));
+  table()->selectRow(0);
+  find<QSlider>("slider")->setValue(900);
+  table()->editItem(table()->item(0, 0));
+  const QPointer<QLineEdit> editor = table()->findChild<QLineEdit*>();
+  ASSERT_TRUE(editor);
+  editor->setText("fri");
+  for (const auto& models : {std::vector<core::LearnedModel>{named, door}, {named, door, test::drawerModel()}, {door}}) {
+    ASSERT_TRUE(showsRows(models));
+    ASSERT_TRUE(editor) << "the name is still being edited";
+    EXPECT_EQ(editor->text().toStdString(), "fri");
+    EXPECT_EQ(find<QSlider>("slider")->value(), 900);
+  }
+  ASSERT_TRUE(showsRows({named, door}));
+  EXPECT_TRUE(table()->selectionModel()->isRowSelected(1, QModelIndex()));
+  ASSERT_TRUE(showsRows({named}));
+  EXPECT_FALSE(table()->selectionModel()->hasSelection()) << "the next click on a button must not mean a neighbour";
+  EXPECT_FALSE(find<QSlider>("slider")->isEnabled());
+}
 
-  find<QPushButton>("forget")->click();
-  EXPECT_TRUE(predict(door, 0).success) << "the first click asks";
-  find<QPushButton>("forget")->click();
-  ASSERT_TRUE(answered("forgot"));
-  EXPECT_FALSE(predict(door, 0).success);
-  EXPECT_TRUE(predict(drawer, 0).success);
-  find<QPushButton>("reset")->click();
-  find<QPushButton>("reset")->click();
-  ASSERT_TRUE(answered("everything is forgotten"));
-  EXPECT_FALSE(predict(drawer, 0).success);
+TEST_F(Kitchen, AServiceThatSleepsHoldsUpNobody) {
+  listenToOther();
+  test::SleepingService reset("/other/reset");
+  for (int click = 0; click < 2; ++click) find<QPushButton>("reset")->click();
+  ASSERT_TRUE(waitFor([&] { return reset.calls() == 1; }));
+  EXPECT_TRUE(answered("/other/reset gave no answer within 10 s"));
+  for (int click = 0; click < 2; ++click) find<QPushButton>("reset")->click();
+  reset.wakeOnce();
+  ASSERT_TRUE(waitFor([&] { return reset.calls() == 2; })) << "the next request is made";
+  const ros::WallTime start = ros::WallTime::now();
+  closePanel();
+  EXPECT_LT((ros::WallTime::now() - start).toSec(), 3) << "closed while the service sleeps";
 }
 
 TEST_F(Kitchen, APipelineThatIsGoneLeavesNothingAndMayComeBack) {
   rviz::Display* joints = addDisplay("Joints");
-  playUntilShown(400);
+  ASSERT_NO_FATAL_FAILURE(playUntilShown(400));
   ASSERT_TRUE(waitFor([&] { return drawsAnything(joints->getSceneNode()); }));
   unloadArticulation();
   EXPECT_TRUE(waitFor([&] { return table()->rowCount() == 0 && !drawsAnything(joints->getSceneNode()); }));
@@ -170,7 +182,7 @@ TEST_F(Kitchen, APipelineThatIsGoneLeavesNothingAndMayComeBack) {
   // It comes back, and knows nothing yet.
   loadArticulation();
   SetUp();
-  playUntilShown(500);
+  ASSERT_NO_FATAL_FAILURE(playUntilShown(500));
   EXPECT_EQ(table()->verticalHeaderItem(0)->text().toStdString(), std::to_string(tracks_[0].id));
 }
 
