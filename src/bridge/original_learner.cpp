@@ -2,9 +2,7 @@
 #include "bridge/original_learner.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
 #include "bridge/original_model.h"
@@ -54,23 +52,44 @@ void append(const articulation_msgs::TrackMsg& from, articulation_msgs::TrackMsg
   to->channels = both;
 }
 
-/// A stored model refitted to its own poses and those of another track; nothing where it cannot be.
-std::optional<ModelMsg> merged(ModelMsg stored, const articulation_msgs::TrackMsg& track,
-                               const core::ArticulationConfig& config) {
-  append(track, &stored.track);
-  stored.track.id = track.id;
-  try {
-    const OriginalTrack both = fromOriginal(stored.track);
-    fill(fitted(typeOf(stored.name), both.track, config), both, config, &stored);
-  } catch (const std::exception&) {
-    return std::nullopt;  // such a model is no rival
-  }
-  return stored;
-}
-
 /// BIC without what is paid for free configurations, as the original release sums it over models.
 double withoutFreedom(const ModelMsg& model) {
   return requireParam(model.params, "bic") - 2 * requireParam(model.params, "cost_of_freedom");
+}
+
+/// A stored model that takes another track in.
+struct Rival {
+  ModelMsg model;   ///< refitted to both tracks
+  double more = 0;  ///< by which the sum of BIC grows
+};
+
+/// Both BICs are by the same settings: those at the time of storing may have been others. Nothing where it cannot be refitted.
+std::optional<Rival> merged(ModelMsg stored, const articulation_msgs::TrackMsg& track, const core::ArticulationConfig& config) {
+  try {
+    const OriginalTrack own = fromOriginal(stored.track);
+    evaluate(restore(stored, own), own, config, &stored);
+    const double before = withoutFreedom(stored);
+    append(track, &stored.track);
+    stored.track.id = track.id;
+    const OriginalTrack both = fromOriginal(stored.track);
+    fill(fitted(typeOf(stored.name), both.track, config), both, config, &stored);
+    return Rival{stored, withoutFreedom(stored) - before};
+  } catch (const std::exception&) {
+    return std::nullopt;  // such a model is no rival
+  }
+}
+
+/// The poses of all that select() would refit.
+std::size_t posesToRefit(const std::map<int, ModelMsg>& stored, std::size_t more) {
+  std::size_t poses = 0;
+  for (const auto& [id, model] : stored) poses += model.track.pose.size() + more;
+  return poses;
+}
+
+int firstFreeId(const std::map<int, ModelMsg>& stored) {
+  int id = 0;
+  while (stored.count(id) > 0) ++id;
+  return id;
 }
 
 }  // namespace
@@ -81,11 +100,17 @@ core::ArticulationConfig configured(core::ArticulationConfig config, const Param
   config.sigma_orientation = paramOr(params, "sigma_orientation", config.sigma_orientation);
   if (paramOr(params, "disable_all", 0) != 0) {
     config.joint_types.clear();
-    for (const char* name : {"rigid", "prismatic", "rotational", "screw", "nonparametric"})
-      if (paramOr(params, std::string("enable_") + name, 0) != 0) config.joint_types += std::string(name) + " ";
+    for (const std::string& name : originalNames())
+      if (paramOr(params, "enable_" + name, 0) != 0) config.joint_types += name + " ";
   }
   core::checkConfig(config);
   return config;
+}
+
+void requireSoon(const std::string& what, std::size_t poses) {
+  if (poses > kMostFittedPoses)
+    throw std::invalid_argument(what + " would take fits to " + std::to_string(poses) + " poses, expected at most " +
+                                std::to_string(kMostFittedPoses) + ": the bridge answers nothing else meanwhile");
 }
 
 void fitTo(const core::ArticulationConfig& config, ModelMsg* message) {
@@ -99,15 +124,14 @@ ModelMsg OriginalLearner::select(const Model& request) const {
   const core::ArticulationConfig config = configured(config_, request.params);
   ModelMsg best = request;
   best.id = -1;
+  requireSoon("asking " + std::to_string(stored_.size()) + " stored models", posesToRefit(stored_, request.track.pose.size()));
   fitTo(config, &best);
   double least = withoutFreedom(best);
   for (const auto& [id, stored] : stored_) {
-    const std::optional<ModelMsg> rival = merged(stored, request.track, config);
-    if (!rival) continue;
-    const double more = withoutFreedom(*rival) - withoutFreedom(stored);
-    if (more >= least) continue;
-    least = more;
-    best = *rival;
+    const std::optional<Rival> rival = merged(stored, request.track, config);
+    if (!rival || rival->more >= least) continue;
+    least = rival->more;
+    best = rival->model;
   }
   return best;
 }
@@ -163,7 +187,7 @@ ModelMsg OriginalLearner::store(const Model& request) {
   const bool is_new = stored_.count(request.id) == 0;
   core::requireAtMost("stored models", stored_.size() + (is_new ? 1 : 0), core::limits::kMostFronts);
   ModelMsg kept = eval(request);
-  if (kept.id < 0) kept.id = stored_.empty() ? 0 : stored_.rbegin()->first + 1;
+  if (kept.id < 0) kept.id = firstFreeId(stored_);
   return stored_[kept.id] = kept;
 }
 

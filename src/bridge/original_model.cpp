@@ -101,6 +101,12 @@ void describeCurve(const core::LearnedModel& model, const Eigen::Isometry3d& T_c
 
 std::string originalName(JointType type) { return kindOf(type).name; }
 
+std::vector<std::string> originalNames() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
+
 JointType typeOf(const std::string& name) {
   std::string known;
   for (const Kind& kind : kKinds) {

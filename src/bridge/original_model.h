@@ -4,6 +4,7 @@
 #include <articulation_msgs/ModelMsg.h>
 
 #include <string>
+#include <vector>
 
 #include "bridge/original_track.h"
 #include "cabinet_articulation/articulation/articulation_config.h"
@@ -14,6 +15,9 @@ namespace cabinet_articulation::bridge {
 /// The name of a type in model messages: rigid, prismatic and rotational as in the original release, and screw and nonparametric,
 /// which it does not have.
 std::string originalName(core::JointType type);
+
+/// Those of all types.
+std::vector<std::string> originalNames();
 
 /// Throws std::invalid_argument for another name; pca_gp is one, whose Gaussian processes only the original can evaluate.
 core::JointType typeOf(const std::string& name);

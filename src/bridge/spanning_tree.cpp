@@ -18,7 +18,7 @@ using articulation_msgs::ArticulatedObjectMsg;
 using articulation_msgs::ModelMsg;
 using articulation_msgs::ParamMsg;
 
-constexpr core::Limit kParts{2, 20, "parts"};  ///< ours: 190 pairs take seconds
+constexpr core::Limit kParts{2, 20, "parts"};  ///< ours: an object's; fits are limited by requireSoon()
 
 struct Edge {
   std::size_t from = 0, to = 0;
@@ -32,6 +32,8 @@ void requireSane(const ArticulatedObjectMsg& object) {
     if (part.pose.size() != object.parts.front().pose.size())
       throw std::invalid_argument("the parts have " + std::to_string(object.parts.front().pose.size()) + " and " +
                                   std::to_string(part.pose.size()) + " poses, expected as many of each");
+  const std::size_t pairs = object.parts.size() * (object.parts.size() - 1) / 2;
+  requireSoon(std::to_string(pairs) + " pairs of parts", pairs * object.parts.front().pose.size());
 }
 
 /// The way of part `to` as part `from` sees it, and its model.

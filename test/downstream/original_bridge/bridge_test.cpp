@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <limits>
 
 #include "bridge/original_learner.h"
 #include "bridge/original_model.h"
 #include "bridge/original_params.h"
 #include "bridge/spanning_tree.h"
 #include "cabinet_articulation/ros/pose_conversions.h"
+#include "original_paths.h"
 
 namespace cabinet_articulation::bridge {
 namespace {
@@ -18,45 +19,11 @@ using articulation_msgs::ArticulatedObjectMsg;
 using articulation_msgs::ModelMsg;
 using articulation_msgs::TrackMsg;
 
-constexpr int kPoses = 40;
-const Eigen::Isometry3d kDoor(Eigen::Translation3d(0.4, 0.1, 1.5) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));
-
-/// The original's forward map of a rotational model.
-Eigen::Isometry3d originalTurn(const Params& params, double q) {
-  return Eigen::Translation3d(requireVector(params, "rot_center")) * requireQuaternion(params, "rot_axis") *
-         Eigen::AngleAxisd(-q, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(requireParam(params, "rot_radius"), 0, 0) *
-         Eigen::Isometry3d(requireQuaternion(params, "rot_orientation"));
-}
-
-/// A pose that turns about a vertical axis through the origin, or slides along z.
-Eigen::Isometry3d turned(double q) { return Eigen::AngleAxisd(q, Eigen::Vector3d::UnitY()) * kDoor; }
-Eigen::Isometry3d pulled(double q) { return Eigen::Translation3d(0, 0, -q) * kDoor; }
-
-template <class PoseAt>
-TrackMsg trackOf(const PoseAt& poseAt, double range, double noise = 0.001) {
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal(0, noise);
-  TrackMsg track;
-  track.header.frame_id = "map";
-  for (int i = 0; i < kPoses; ++i) {
-    Eigen::Isometry3d pose = poseAt(range * i / (kPoses - 1));
-    pose.pretranslate(Eigen::Vector3d(normal(random), normal(random), normal(random)));
-    track.pose.push_back(toMessage(pose));
-  }
-  return track;
-}
-
 ModelMsg requestOf(const TrackMsg& track, const std::string& name = "") {
   ModelMsg request;
   request.name = name;
   request.track = track;
   return request;
-}
-
-OriginalLearner learner() {
-  core::ArticulationConfig config;
-  config.joint_types = "rigid prismatic rotational";
-  return OriginalLearner(config);
 }
 
 template <class Work>
@@ -67,6 +34,12 @@ std::string refusal(const Work& work) {
     return error.what();
   }
   return "";
+}
+
+OriginalLearner learner() {
+  core::ArticulationConfig config;
+  config.joint_types = "rigid prismatic rotational";
+  return OriginalLearner(config);
 }
 
 TEST(OriginalLearner, SelectsTheTrueTypeAndDescribesItAsTheOriginalWould) {
@@ -148,6 +121,38 @@ TEST(OriginalLearner, TakesATrackIntoAStoredModelOfTheSamePath) {
   EXPECT_EQ(other.prior().size(), 2U);
   EXPECT_NE(refusal([&] { other.setPrior({stored, stored}); }).find("model[1]: id 0 is there twice"), std::string::npos);
   EXPECT_EQ(other.prior().size(), 2U) << "a refusal changes nothing";
+}
+
+TEST(OriginalLearner, AStoredModelIsComparedByTheSettingsOfTheRequest) {
+  OriginalLearner learner = bridge::learner();
+  learner.store(learner.select(requestOf(trackOf(turned, 1.2))));
+  for (const double sigma : {0.002, 0.05}) {
+    ModelMsg request = requestOf(trackOf(turned, 0.8));
+    setParam("sigma_position", sigma, 0, &request.params);
+    EXPECT_EQ(learner.select(request).id, 0) << "the same door, with " << sigma << " m of noise instead of 0.01 m";
+  }
+}
+
+TEST(OriginalLearner, GivesTheFirstFreeId) {
+  OriginalLearner learner = bridge::learner();
+  ModelMsg model = learner.select(requestOf(trackOf(turned, 1.2)));
+  model.id = std::numeric_limits<int>::max();
+  learner.store(model);
+  model.id = -1;
+  EXPECT_EQ(learner.store(model).id, 0);
+  EXPECT_EQ(learner.store(model).id, 1);
+}
+
+TEST(OriginalLearner, RefusesWhatWouldTakeLong) {
+  OriginalLearner learner = bridge::learner();
+  ModelMsg model = learner.select(requestOf(trackOf(turned, 1.2)));
+  TrackMsg track = trackOf(turned, 0.8);
+  track.pose.resize(10000, track.pose.back());
+  for (std::size_t i = 0; i <= kMostFittedPoses / track.pose.size(); ++i) learner.store(model);
+  EXPECT_NE(refusal([&] { learner.select(requestOf(track)); }).find("stored models would take fits to"), std::string::npos);
+  ArticulatedObjectMsg object;
+  object.parts.assign(20, track);
+  EXPECT_EQ(refusal([&] { spanningTree(object, {}); }).find("190 pairs of parts would take fits to 1900000 poses"), 0U);
 }
 
 TEST(OriginalLearner, ParametersOfTheRequestCount) {
