@@ -24,7 +24,12 @@ auto fromPart(const char* part, const Convert& convert) {
   }
 }
 
+/// Poses of a front that hangs on another one are in the frame of that, whatever the header says.
 core::LearnedModel modelOf(const ArticulationModel& message) {
+  if (message.parent != 0)
+    throw std::invalid_argument("model: parent is " + std::to_string(message.parent) +
+                                ", expected 0: its poses are in the frame of that front, and nobody says here where that is; "
+                                "transform them and set parent to 0");
   return fromPart("model", [&] { return fromMessage(message); });
 }
 

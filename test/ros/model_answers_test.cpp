@@ -69,6 +69,20 @@ TEST(EvaluateModelAnswer, RefusalsNameThePart) {
               ThrowsSaying<std::invalid_argument>("the model is in the frame 'odom' and the track in 'map'"));
 }
 
+TEST(AnswersAboutAModel, RefuseOneThatHangsOnAFrontNobodyPlaces) {
+  const auto refused = ThrowsSaying<std::invalid_argument>(HasSubstr("model: parent is 7, expected 0"));
+  EvaluateModel::Request evaluation = evaluationOf(test::doorModel());
+  evaluation.model.parent = 7;
+  EXPECT_THAT([&] { evaluateModel(evaluation, {}); }, refused);
+  ProjectPoses::Request poses = posesOf(test::doorModel(), {0});
+  poses.model.parent = 7;
+  EXPECT_THAT([&] { projectPoses(poses); }, refused);
+  ProjectConfigurations::Request configurations;
+  configurations.model = evaluation.model;
+  configurations.q = {0};
+  EXPECT_THAT([&] { projectConfigurations(configurations); }, refused);
+}
+
 TEST(ProjectPosesAnswer, InvertsPrediction) {
   for (const core::LearnedModel& model : {test::doorModel(), test::drawerModel(), test::garageModel()}) {
     const std::vector<double> q{0, 0.1, 0.25};
