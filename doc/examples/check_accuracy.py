@@ -53,6 +53,9 @@ def main(learned, seen, namespace='/cabinet'):
     for model in last(learned, '/cabinet/models').models:
         if not model.moved or model.support == 0:
             continue
+        if model.parent != 0:
+            print('front %d: left out; its path is relative to front %d, on which it hangs' % (model.id, model.parent))
+            continue
         answers = [(track, evaluate(model, track)) for track in tracks]
         answers = [(answer.position_error, answer, track) for track, answer in answers if answer.success]
         if not answers:
