@@ -83,7 +83,8 @@ def watch_the_pipeline():
     subscribers = [rospy.Subscriber('track', TrackMsg, take), rospy.Subscriber('model', ModelMsg, take)]
     tracks, models = (rospy.Publisher(name, kind, queue_size=1) for name, kind in (('tracks', TrackArray), ('models', ArticulationModelArray)))
     track = Track(id=7, stamps=[rospy.Time(100 + i) for i in range(POSES)], poses=track_of(door, 1.2).pose, width=0.8, height=0.6)
-    model = ArticulationModel(id=7, type=ArticulationModel.ROTATIONAL, moved=True, q_max=1.2, radius=0.4, width=0.8, height=0.6)
+    model = ArticulationModel(id=7, type=ArticulationModel.ROTATIONAL, moved=True, explained=True, observed=True, q_max=1.2,
+                              radius=0.4, width=0.8, height=0.6)
     model.origin.position.x = 0.4
     model.origin.orientation.w = 1
     model.axis.y = 1
