@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -37,13 +36,6 @@ JointShape shapeFromYaml(const YAML::Node& node) {
   return shape;
 }
 
-bool isSame(const JointShape& a, const JointShape& b) {
-  constexpr double kDigits = 1e-9;
-  return a.type == b.type && a.frame.isApprox(b.frame, kDigits) && std::abs(a.radius - b.radius) < kDigits &&
-         std::abs(a.width - b.width) < kDigits && std::abs(a.height - b.height) < kDigits &&
-         std::abs(a.range - b.range) < kDigits;
-}
-
 }  // namespace
 
 YAML::Node toYaml(const JointShape& shape) {
@@ -75,7 +67,8 @@ std::vector<JointShape> shapesFromYaml(const YAML::Node& node) {
 
 std::vector<JointShape> united(std::vector<JointShape> shapes, const std::vector<JointShape>& others) {
   for (const JointShape& other : others)
-    if (std::none_of(shapes.begin(), shapes.end(), [&](const JointShape& shape) { return isSame(shape, other); }))
+    if (shapes.size() < kMostShapes &&
+        std::none_of(shapes.begin(), shapes.end(), [&](const JointShape& shape) { return isSame(shape, other); }))
       shapes.push_back(other);
   return shapes;
 }

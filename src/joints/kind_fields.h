@@ -15,7 +15,7 @@ YAML::Node toYaml(const JointShape& shape);
 /// Nothing of a file that is older than kinds.
 std::vector<JointShape> shapesFromYaml(const YAML::Node& node);
 
-/// All shapes of both; what was saved and read is the same, but for the digits that a file has not.
+/// All shapes of both, up to kMostShapes: `shapes`, then the first of the others that are not the same as one of them.
 std::vector<JointShape> united(std::vector<JointShape> shapes, const std::vector<JointShape>& others);
 
 }  // namespace cabinet_articulation::core

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "articulation/observations/observation_history.h"
@@ -46,7 +45,7 @@ bool JointKinds::add(const LearnedModel& joint, const Track& track, const Articu
 void JointKinds::add(const JointShape& shape) {
   if (shape.front != 0) remove(shape.front);
   kinds_.emplace_back(std::vector<JointShape>{shape}, config_);
-  merge();
+  settle(kinds_.size() - 1);
   std::size_t count = 0;
   for (const JointKind& kind : kinds_) count += kind.size();
   if (count <= kMostShapes) return;
@@ -55,12 +54,16 @@ void JointKinds::add(const JointShape& shape) {
 }
 
 bool JointKinds::holds(const JointShape& shape) const {
-  const auto is_same = [&shape](const JointShape& other) {
-    return other.front == shape.front && other.type == shape.type && other.frame == shape.frame && other.radius == shape.radius &&
-           other.width == shape.width && other.height == shape.height && other.range == shape.range;
-  };
-  return std::any_of(kinds_.begin(), kinds_.end(),
-                     [&](const JointKind& kind) { return std::any_of(kind.shapes().begin(), kind.shapes().end(), is_same); });
+  const std::optional<JointShape> known = jointOf(shape.front);
+  return known && isSame(*known, shape);
+}
+
+std::optional<JointShape> JointKinds::jointOf(std::uint32_t front) const {
+  if (front == 0) return std::nullopt;
+  for (const JointKind& kind : kinds_)
+    for (const JointShape& shape : kind.shapes())
+      if (shape.front == front) return shape;
+  return std::nullopt;
 }
 
 /// Takes one joint out of a kind.
@@ -109,28 +112,29 @@ double JointKinds::score(const JointKind& kind) const {
          std::lgamma(static_cast<double>(kind.size()));
 }
 
-/// Merges the two kinds whose merging gains most, until none does.
-void JointKinds::merge() {
+/// Merges a kind with the one that gains most by it, until none does. The others among themselves are as they were.
+void JointKinds::settle(std::size_t i) {
   while (true) {
+    const double own = score(kinds_[i]);
     double most = 0;
-    std::size_t first = 0, second = 0;
+    std::size_t with = i;
     std::optional<JointKind> best;
-    for (std::size_t b = 1; b < kinds_.size(); ++b)
-      for (std::size_t a = 0; a < b; ++a) {
-        if (kinds_[a].mean().type != kinds_[b].mean().type) continue;
-        std::vector<JointShape> shapes = kinds_[a].shapes();
-        shapes.insert(shapes.end(), kinds_[b].shapes().begin(), kinds_[b].shapes().end());
-        JointKind merged(std::move(shapes), config_);
-        const double gain = score(merged) - score(kinds_[a]) - score(kinds_[b]);
-        if (gain <= most) continue;
-        most = gain;
-        first = a;
-        second = b;
-        best = std::move(merged);
-      }
+    for (std::size_t other = 0; other < kinds_.size(); ++other) {
+      if (other == i || kinds_[other].mean().type != kinds_[i].mean().type) continue;
+      std::vector<JointShape> shapes = kinds_[std::min(i, other)].shapes();
+      const std::vector<JointShape>& later = kinds_[std::max(i, other)].shapes();
+      shapes.insert(shapes.end(), later.begin(), later.end());
+      JointKind merged(std::move(shapes), config_);
+      const double gain = score(merged) - own - score(kinds_[other]);
+      if (gain <= most) continue;
+      most = gain;
+      with = other;
+      best = std::move(merged);
+    }
     if (!best) return;
-    kinds_[first] = std::move(*best);
-    kinds_.erase(kinds_.begin() + static_cast<std::ptrdiff_t>(second));
+    kinds_[std::min(i, with)] = std::move(*best);
+    kinds_.erase(kinds_.begin() + static_cast<std::ptrdiff_t>(std::max(i, with)));
+    i = std::min(i, with);
   }
 }
 
@@ -146,7 +150,6 @@ LearnedModel JointKinds::predict(const LearnedModel& learned, const Track& track
   const KindChoice choice = chooseKind(kinds_, weights, *samples, turns / (slides + turns), config_, config);
   if (choice.is_new) return learned;
   if (!learned.moved) {
-    constexpr double kSureOfType = 0.95;
     const double odds = std::exp(choice.advantage) / config.prior.rest_odds;
     if (odds < 1 || std::max(choice.turns, 1 - choice.turns) < kSureOfType) return learned;
     predicted.moved = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_config.h"
@@ -11,6 +12,8 @@
 #include "kinds/joint_kind.h"
 
 namespace cabinet_articulation::core {
+
+constexpr double kSureOfType = 0.95;  ///< what is told of a type by less teaches nothing, and begins no motion (ours)
 
 /**
  * Kinds of joints, learned from joints, as a prior for the next one (ours).
@@ -30,10 +33,12 @@ class JointKinds {
   /// Takes a joint's shape in, in place of the one that its front has there. Of more than kMostShapes joints the largest kind
   /// loses its oldest.
   void add(const JointShape& shape);
-  static constexpr std::size_t kMostShapes = 256;  ///< ours: the fronts of a large building, some 100 kB
 
   /// Whether the joint of this front is there, just like that.
   bool holds(const JointShape& shape) const;
+
+  /// The joint of a front, or nothing.
+  std::optional<JointShape> jointOf(std::uint32_t front) const;
 
   /// Takes out the joint of a front. Kinds that were merged for it stay merged.
   void remove(std::uint32_t front);
@@ -67,7 +72,7 @@ class JointKinds {
 
  private:
   double score(const JointKind& kind) const;
-  void merge();
+  void settle(std::size_t i);
   void take(std::size_t i, std::vector<JointKind>::iterator kind);
 
   KindsConfig config_;

@@ -11,8 +11,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr double kSureOfType = 0.95;  ///< a joint that is told by less teaches nothing (ours)
-
 bool isAtRest(const LearnedModel& model) { return !model.moved && model.type == JointType::kRigid && model.doubt == 0; }
 
 /// Whether the size of the front was seen, not merely its part.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "cabinet_articulation/geometry/joint_type.h"
@@ -24,5 +26,16 @@ struct JointShape {
   /// Number of parameters: two of a direction, or three of a frame and the radius.
   int dimensions() const { return turns() ? 4 : 2; }
 };
+
+/// So many joints are known of all kinds, in memory and in a file (ours: the fronts of a large building, some 100 kB).
+constexpr std::size_t kMostShapes = 256;
+
+/// Whether both are one joint, whatever the ids: equal but for the digits that a file has not.
+inline bool isSame(const JointShape& a, const JointShape& b) {
+  constexpr double kDigits = 1e-9;
+  return a.type == b.type && a.frame.isApprox(b.frame, kDigits) && std::abs(a.radius - b.radius) < kDigits &&
+         std::abs(a.width - b.width) < kDigits && std::abs(a.height - b.height) < kDigits &&
+         std::abs(a.range - b.range) < kDigits;
+}
 
 }  // namespace cabinet_articulation::core
