@@ -94,7 +94,7 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
     if (found.models) saved.changes = found.models->changes;
     saved.changes.insert(saved.changes.end(), merged.changes.begin(), merged.changes.end());
     ModelFile united_models{models.frame, std::move(merged.fronts)};
-    united_models.kinds = models.replaces_kinds ? models.kinds : united(models.kinds, found.kinds);
+    united_models.kinds = united(models.kinds, models.replaces_kinds ? std::vector<JointShape>() : found.kinds);
     saved.kinds = united_models.kinds.size();
     const std::string text = toText(united_models);
     if (found.why_not.empty()) {
@@ -107,7 +107,8 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
   });
 }
 
-std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<LearnedModel>& removed) {
+std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<LearnedModel>& removed,
+                                const std::vector<JointShape>& kinds) {
   return onFile(path, [&]() -> std::size_t {
     const fs::path file = followLinks(path);
     const FolderLock lock(file.parent_path());
@@ -116,7 +117,7 @@ std::size_t removeFromModelFile(const std::string& path, const std::string& fram
     const ModelFile before = modelsFromText(*text);
     if (before.frame != frame) return 0;
     ModelFile left{frame, mergeFronts({}, before.fronts, removed).fronts};
-    left.kinds = before.kinds;
+    left.kinds = united(kinds, before.kinds);
     const std::size_t gone = before.fronts.size() - left.fronts.size();
     if (gone > 0) replaceFile(file, toText(left), lock);
     return gone;
