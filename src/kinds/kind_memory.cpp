@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "kinds/upright.h"
@@ -60,16 +61,25 @@ bool KindMemory::isExact(const LearnedModel& model) const {
 }
 
 void KindMemory::learnFrom(const LearnedModel& model) {
-  if (model.doubt >= 1) return kinds_.remove(model.id);
+  if (model.doubt >= 1 || model.parent != 0) return kinds_.remove(model.id);
   if (model.doubt > 0 || !isExact(model)) return;
   const JointShape vote = described(shapeOf(model, model.origin.linear()), uprightDescription(model.origin.linear()));
   if (!kinds_.holds(vote)) kinds_.add(vote);
 }
 
-LearnedModel KindMemory::tell(const LearnedModel& model, std::size_t at_rest) const {
-  const JointKinds others = kinds_.without(model.id);
-  return askedUpright(
-      model, [&](const LearnedModel& upright) { return model.moved ? others.update(upright) : others.expect(upright, at_rest); });
+/// The answer of all kinds, without what the front itself taught.
+template <class Ask>
+LearnedModel KindMemory::askOthers(const LearnedModel& front, const Ask& ask) const {
+  const auto answer = [&](const JointKinds& kinds) {
+    return askedUpright(front, [&](const LearnedModel& upright) { return ask(kinds, upright); });
+  };
+  return kinds_.jointOf(front.id) ? answer(kinds_.without(front.id)) : answer(kinds_);
+}
+
+LearnedModel KindMemory::told(const LearnedModel& model) const {
+  if (!config_.kinds.kinds || kinds().empty() || model.parent != 0) return model;
+  if (!model.moved || !model.explained || model.doubt > 0 || !hasShape(model) || isExact(model)) return model;
+  return askOthers(model, [](const JointKinds& others, const LearnedModel& upright) { return others.update(upright); });
 }
 
 void KindMemory::complete(const std::vector<Track>& tracks, std::vector<LearnedModel>* models) {
@@ -77,11 +87,13 @@ void KindMemory::complete(const std::vector<Track>& tracks, std::vector<LearnedM
   for (const LearnedModel& model : *models) learnFrom(model);
   if (kinds().empty()) return;
   const auto at_rest = static_cast<std::size_t>(std::count_if(models->begin(), models->end(), isAtRest));
+  const auto expect = [at_rest](const JointKinds& others, const LearnedModel& front) { return others.expect(front, at_rest); };
   for (LearnedModel& model : *models) {
     const Track* track = trackOf(model.id, tracks);
-    const bool rests = track != nullptr && isAtRest(model) && isSeenWhole(*track, config_.articulation.edge_support_min);
-    const bool moves = model.moved && model.explained && model.doubt == 0 && hasShape(model) && !isExact(model);
-    if (rests || moves) model = tell(model, at_rest);
+    if (!isAtRest(model))
+      model = told(model);
+    else if (track != nullptr && isSeenWhole(*track, config_.articulation.edge_support_min))
+      model = askOthers(model, expect);
   }
 }
 
@@ -102,6 +114,11 @@ void KindMemory::keepFronts(const std::vector<LearnedModel>& fronts) {
 }
 
 void KindMemory::forget(std::uint32_t front) { kinds_.disown(front); }
+
+std::vector<JointShape> KindMemory::votesOf(std::uint32_t front) const {
+  const std::optional<JointShape> vote = kinds_.jointOf(front);
+  return vote ? std::vector<JointShape>{*vote} : std::vector<JointShape>();
+}
 
 std::vector<JointShape> KindMemory::votesBeside(const std::set<std::uint32_t>& fronts) const {
   std::vector<JointShape> votes;

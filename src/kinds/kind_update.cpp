@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cabinet_articulation/joints/joint.h"
 #include "kinds/kind_description.h"
 
 namespace cabinet_articulation::core {
@@ -89,6 +90,8 @@ LearnedModel updatedByKinds(const LearnedModel& joint, const std::vector<JointKi
   if (updated.axis.dot(joint.axis) < 0) updated.axis = -updated.axis;
   for (double LearnedModel::*const q : {&LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max})
     updated.*q = updated.configuration(joint.predict(joint.*q));
+  if (joint.closed_known) updated.q_closed = updated.configuration(joint.predict(joint.q_closed));
+  updated.opening = openingAt(updated, updated.q);
   return updated;
 }
 

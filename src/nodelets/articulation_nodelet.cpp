@@ -43,8 +43,8 @@ class ArticulationStage : public StageNodelet {
       auto learner = std::make_unique<core::ArticulationLearner>(tuned.articulation);
       structure_ = std::make_unique<core::StructureFinder>(tuned.articulation);
       learner_ = std::move(learner);
-      remember(store_->jointModels());
-      store_->kinds().configure(tuned);
+      remember(store_->ownJoints());
+      store_->configureKinds(tuned);
       services_->setConfig(tuned.articulation);
     });
     require(&tracks_topic_);
@@ -158,7 +158,6 @@ class ArticulationStage : public StageNodelet {
 
   void learn(const std_msgs::Header& header) {
     std::vector<core::LearnedModel> models = learner_->process(store_->tracks());
-    store_->kinds().complete(store_->tracks(), &models);
     closed_.complete(&models);
     structure_->complete(store_->tracks(), &models);
     noteStructure(models);

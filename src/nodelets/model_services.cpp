@@ -156,8 +156,8 @@ void ModelServices::reset(const std_srvs::Trigger::Request&, std_srvs::Trigger::
 }
 
 void ModelServices::kinds(const Kinds::Request& request, Kinds::Response* response) {
-  std::lock_guard<std::mutex> learning(store_.learning());
   if (request.clear) store_.clearKinds();
+  std::lock_guard<std::mutex> learning(store_.learning());
   response->kinds = toMessages(store_.kinds().kinds());
   response->message = std::to_string(response->kinds.size()) + " kinds are known";
   if (request.clear) response->message = "all kinds are forgotten; fronts that are known teach theirs again when they are seen";

@@ -56,7 +56,7 @@ std::string ModelStore::load(const std::string& file) {
     removed_.loaded(models.fronts);
     restart(models);
     kinds_.startFrom(models.kinds, modelsOf(models.fronts));
-    replaces_kinds_ = false;
+    cleared_kinds_.replaced(file);
   }
   calls_.file_was_good();
   const std::string changes = core::inWords(models.changes);
@@ -81,14 +81,14 @@ std::string ModelStore::save(const std::string& file) {
     std::set<std::uint32_t> ids;
     for (const core::KnownFront& front : models.fronts) ids.insert(front.model.id);
     models.kinds = kinds_.votesBeside(ids);
-    models.replaces_kinds = replaces_kinds_;
+    models.replaces_kinds = cleared_kinds_.in(file);
     removed = removed_.in(file);
   }
   const core::SavedModels saved = core::saveModelFile(file, models, removed);
   calls_.file_was_good();
   std::lock_guard<std::mutex> learning(learning_);
   std::lock_guard<std::mutex> lock(mutex_);
-  replaces_kinds_ = false;
+  cleared_kinds_.replaced(file);
   removed_.saved(file, models.fronts);
   return saved.inWords(file);
 }
@@ -98,7 +98,7 @@ std::string ModelStore::saveAtExit() {
   {
     std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
-    const bool no_kinds = kinds_.kinds().empty() && !replaces_kinds_;
+    const bool no_kinds = kinds_.kinds().empty() && !cleared_kinds_.in(file_.models_file);
     if (known_.jointModels().empty() && removed_.empty() && no_kinds) return "nothing was learned that could be saved";
   }
   return save(file_.models_file);
@@ -107,6 +107,7 @@ std::string ModelStore::saveAtExit() {
 std::string ModelStore::forget(std::uint32_t id) {
   std::lock_guard<std::mutex> filing(filing_);
   core::LearnedModel model;
+  std::vector<core::JointShape> votes;
   std::string frame;
   {
     std::lock_guard<std::mutex> learning(learning_);
@@ -114,6 +115,7 @@ std::string ModelStore::forget(std::uint32_t id) {
     model = known_.forget(id);
     frame = frame_id_;
     calls_.forget(id);
+    votes = kinds_.votesOf(id);
     kinds_.forget(id);
     removed_.add(model);
     forgotten_.insert(id);
@@ -122,7 +124,7 @@ std::string ModelStore::forget(std::uint32_t id) {
   const std::string text = "front " + std::to_string(id) + " is forgotten";
   if (file_.models_file.empty()) return text;
   try {
-    const std::size_t gone = core::removeFromModelFile(file_.models_file, frame, {model});
+    const std::size_t gone = core::removeFromModelFile(file_.models_file, frame, {model}, votes);
     return text + (gone > 0 ? " and taken from '" : "; it was not in '") + file_.models_file + "'";
   } catch (const core::ModelFileError& error) {
     return text + ", but may still be in the file: " + error.what();
@@ -135,12 +137,19 @@ void ModelStore::reset() {
   std::lock_guard<std::mutex> lock(mutex_);
   for (const core::LearnedModel& model : known_.jointModels()) removed_.add(model);
   restart({frame_id_, {}});
-  clearKinds();
+  forgetKinds();
 }
 
 void ModelStore::clearKinds() {
+  std::lock_guard<std::mutex> filing(filing_);
+  std::lock_guard<std::mutex> learning(learning_);
+  std::lock_guard<std::mutex> lock(mutex_);
+  forgetKinds();
+}
+
+void ModelStore::forgetKinds() {
   kinds_.reset();
-  replaces_kinds_ = true;
+  cleared_kinds_.clear();
 }
 
 std::string ModelStore::setName(std::uint32_t id, const std::string& name) {
@@ -187,18 +196,21 @@ void ModelStore::update(std::vector<core::LearnedModel>* models) {
   std::lock_guard<std::mutex> lock(mutex_);
   known_.update(*models);
   known_.giveNames(models);
+  kinds_.complete(known_.tracks(), models);
 }
 
 core::LearnedModel ModelStore::modelOf(std::uint32_t id, std::string* frame_id) const {
   std::lock_guard<std::mutex> lock(mutex_);
   *frame_id = frame_id_;
-  return known_.at(id);
+  return kinds_.told(known_.at(id));
 }
 
 std::vector<core::LearnedModel> ModelStore::jointModels(std::string* frame_id) const {
   std::lock_guard<std::mutex> lock(mutex_);
   if (frame_id != nullptr) *frame_id = frame_id_;
-  return known_.jointModels();
+  std::vector<core::LearnedModel> models = known_.jointModels();
+  for (core::LearnedModel& model : models) model = kinds_.told(model);
+  return models;
 }
 
 void ModelStore::startAfresh() {

@@ -13,6 +13,7 @@
 
 #include "cabinet_articulation/joints/known_fronts.h"
 #include "cabinet_articulation/joints/model_file.h"
+#include "joints/cleared_kinds.h"
 #include "joints/removed_fronts.h"
 #include "kinds/kind_memory.h"
 #include "nodelets/generation_watch.h"
@@ -61,9 +62,15 @@ class ModelStore {
   std::mutex& learning() { return learning_; }
 
   /// The kinds of what was learned, in files too. With learning() held.
-  core::KindMemory& kinds() { return kinds_; }
+  const core::KindMemory& kinds() const { return kinds_; }
 
-  /// Forgets all kinds, and those of the file at the next save. With learning() held.
+  /// New settings of kinds. With learning() held.
+  void configureKinds(const core::LearningConfig& config) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    kinds_.configure(config);
+  }
+
+  /// Forgets all kinds, and those of each file when it is saved next.
   void clearKinds();
 
   /// Whether these tracks are to be learned from. With learning() held.
@@ -81,22 +88,29 @@ class ModelStore {
 
   const std::vector<core::Track>& tracks() const { return known_.tracks(); }
 
-  /// The models of these tracks; each is given the name of its front.
+  /// Keeps the models of these tracks. Then each is given the name of its front, and what kinds tell of it, for whoever asks.
   void update(std::vector<core::LearnedModel>* models);
 
   /// Time was set back: joints stay known, as if they had been saved and loaded again; all else is forgotten. To be called
   /// with learning() held.
   void startAfresh();
 
-  /// The model of a front and the frame it is in. Throws core::ModelError for an id nobody knows.
+  /// The model of a front, with what kinds tell of it, and the frame it is in. Throws core::ModelError for an id nobody knows.
   core::LearnedModel modelOf(std::uint32_t id, std::string* frame_id) const;
 
   /// Of all joints that are known, in view or not, given up or not.
   std::vector<core::LearnedModel> jointModels(std::string* frame_id = nullptr) const;
 
+  /// The same as their own poses say, for learners.
+  std::vector<core::LearnedModel> ownJoints() const {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return known_.jointModels();
+  }
+
  private:
   std::string nameOfFrame(const std::string& frame_id) const;
 
+  void forgetKinds();
   void restart(const core::ModelFile& models);
   KnownFrontArray listOf(const core::ModelFile& models) const;
   void greet(const ros::SingleSubscriberPublisher& subscriber) const;
@@ -108,9 +122,9 @@ class ModelStore {
   // Waited for in this order.
   std::mutex filing_;  ///< held while a file is written, and while something is removed from what is known
   std::mutex learning_;
-  core::KindMemory kinds_;       ///< guarded by learning_
-  bool replaces_kinds_ = false;  ///< likewise: the next save forgets those of the file
-  mutable std::mutex mutex_;     ///< guards what follows
+  mutable std::mutex mutex_;  ///< guards what follows
+  core::KindMemory kinds_;    ///< changed with learning_ held, too
+  core::ClearedKinds cleared_kinds_;
   core::KnownFronts known_;
   core::RemovedFronts removed_;
   std::set<std::uint32_t> forgotten_;  ///< ids

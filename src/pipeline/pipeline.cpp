@@ -91,11 +91,11 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.models = timed(times.articulation, [&] {
     known_.follow(asSent(result.track_updates));
     std::vector<LearnedModel> models = articulation_.process(known_.tracks());
-    kinds_->complete(known_.tracks(), &models);
     closed_->see(result.view);
     closed_->complete(&models);
     structure_->complete(known_.tracks(), &models);
     known_.update(models);
+    kinds_->complete(known_.tracks(), &models);
     return models;
   });
   joints_are_due_ = std::exchange(joints_are_new_, false);

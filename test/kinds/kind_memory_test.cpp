@@ -1,47 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinds/kind_memory.h"
 
-#include <gtest/gtest.h>
-
-#include "kinds/fronts_elsewhere.h"
+#include "kinds/taught_kinds.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
+using test::completed;
 using test::doorOf;
 using test::errorAt;
-using test::trackAt;
-
-/// As a detector sees the front, with the id i + 1.
-Track seen(const SyntheticFront& front, int i, double q_end) {
-  Track track = reported(trackAt(front, i, q_end, test::standing), front.noise, front.turn_noise);
-  track.id = static_cast<std::uint32_t>(i + 1);
-  return track;
-}
-
-std::vector<LearnedModel> completed(const std::vector<Track>& tracks, KindMemory* memory) {
-  std::vector<LearnedModel> models;
-  for (const Track& track : tracks) models.push_back(learn(track));
-  memory->complete(tracks, &models);
-  return models;
-}
-
-/// Doors at `count` places, opened widely.
-void teach(const SyntheticFront& front, int count, KindMemory* memory) {
-  for (int i = 0; i < count; ++i) completed({seen(front, i, 1.5)}, memory);
-}
-
-std::size_t votes(const KindMemory& memory) { return memory.votesBeside({}).size(); }
-
-void expectSame(const LearnedModel& a, const LearnedModel& b) {
-  EXPECT_EQ(a.type, b.type);
-  EXPECT_EQ(a.probabilities, b.probabilities);
-  EXPECT_EQ(a.origin.matrix(), b.origin.matrix());
-  EXPECT_EQ(a.axis, b.axis);
-  EXPECT_EQ(a.axis_point, b.axis_point);
-  EXPECT_EQ(a.q_max, b.q_max);
-  EXPECT_EQ(a.observed, b.observed);
-}
+using test::expectSame;
+using test::seen;
+using test::teach;
+using test::votes;
 
 TEST(KindMemory, ChangesNothingOfTheFirstDoor) {
   KindMemory memory({});
