@@ -1,106 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Models that outlive the nodelet that learned them.
-#include <cabinet_articulation/Forget.h>
-#include <cabinet_articulation/Kinds.h>
 #include <cabinet_articulation/KnownFrontArray.h>
 #include <cabinet_articulation/LoadModels.h>
-#include <cabinet_articulation/Predict.h>
 #include <cabinet_articulation/SaveModels.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
 #include <std_srvs/Trigger.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "support/moving_fronts.h"
+#include "support/model_file_fixture.h"
 
 namespace cabinet_articulation {
 namespace {
 
 namespace fs = std::filesystem;
+using test::kName;
+using test::ModelFile;
 using test::Recorder;
 using test::spinUntil;
-
-const std::string kName = "/cabinet/articulation";
-
-class ModelFile : public test::MovingFronts {
- protected:
-  ModelFile()
-      : MovingFronts("cabinet"), folder_(fs::temp_directory_path() / ("model_file_rostest." + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-    path_ = (folder_ / "kitchen.yaml").string();
-    nh_.setParam(kName + "/models_file", path_);
-    nh_.setParam(kName + "/save_at_exit", true);
-    nh_.setParam(kName + "/diagnostic_period", 0.1);
-    loadNodelet();
-  }
-
-  ~ModelFile() override {
-    unloadNodelet();
-    fs::remove_all(folder_);
-  }
-
-  void SetUp() override {
-    MovingFronts::SetUp();
-    ASSERT_TRUE(spinUntil([&] { return reports_.hears(2); }));
-  }
-
-  void loadNodelet() {
-    nodelet::NodeletLoad load;
-    load.request.name = kName;
-    load.request.type = "cabinet_articulation/articulation";
-    EXPECT_TRUE(ros::service::waitForService("/cabinet/manager/load_nodelet", ros::Duration(test::kGenerous)));
-    EXPECT_TRUE(ros::service::call("/cabinet/manager/load_nodelet", load));
-  }
-
-  void unloadNodelet() {
-    nodelet::NodeletUnload unload;
-    unload.request.name = kName;
-    ros::service::call("/cabinet/manager/unload_nodelet", unload);
-  }
-
-  void restart() {
-    unloadNodelet();
-    loadNodelet();
-    ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
-  }
-
-  Predict::Response predict(std::uint32_t id, double q) {
-    Predict predict;
-    predict.request.id = id;
-    predict.request.q = {q};
-    EXPECT_TRUE(ros::service::call("/cabinet/predict", predict));
-    return predict.response;
-  }
-
-  template <class Service>
-  std::pair<bool, std::string> callWithFile(const std::string& name, const std::string& file) {
-    Service call;
-    call.request.file = file;
-    EXPECT_TRUE(ros::service::call("/cabinet/" + name, call));
-    return {call.response.success, call.response.message};
-  }
-
-  std::string text() const {
-    std::ifstream in(path_);
-    std::stringstream stream;
-    stream << in.rdbuf();
-    return stream.str();
-  }
-
-  static bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-  const fs::path folder_;
-  std::string path_;
-  test::Reports reports_;
-};
 
 TEST_F(ModelFile, IsWrittenAtTheEndAndKnownAtTheStart) {
   ASSERT_TRUE(play(100));
@@ -258,90 +175,6 @@ TEST_F(ModelFile, IsMergedByPlaceAndWithoutWhatWasReset) {
   EXPECT_TRUE(after.first && contains(after.second, "1 fronts saved")) << after.second;
   EXPECT_TRUE(contains(text(), "- id: " + std::to_string(door) + "\n")) << "this run never knew it";
   EXPECT_FALSE(contains(text(), "- id: " + std::to_string(drawer) + "\n")) << "this run forgot it";
-}
-
-class KindsInAFile : public ModelFile {
- protected:
-  /// Another unit beside the last one: its door and drawer open, its wall rests.
-  ArticulationModelArrayConstPtr playUnit(int unit, double start) {
-    const Eigen::Isometry3d place(Eigen::Translation3d(1.5 * unit, 0, 0));
-    for (core::Track& track : tracks_) track.id = nextId();
-    for (core::Track& track : tracks_) track.observations.clear();
-    ArticulationModelArrayConstPtr models;
-    for (int i = 0; i < test::kFrames; ++i) {
-      const double opening = std::max(0.0, static_cast<double>(i - test::kAtRest) / (test::kFrames - 1 - test::kAtRest));
-      observe(&tracks_[0], place * test::doorPose(1.4 * opening), start + i / 15.0);
-      observe(&tracks_[1], place * test::drawerPose(0.3 * opening), start + i / 15.0);
-      observe(&tracks_[2], place * test::wallPose(0), start + i / 15.0);
-      models = publish(start + i / 15.0);
-    }
-    return models;
-  }
-
-  static Kinds::Response kinds(bool clear = false) {
-    Kinds kinds;
-    kinds.request.clear = clear;
-    EXPECT_TRUE(ros::service::call("/cabinet/kinds", kinds));
-    EXPECT_TRUE(kinds.response.success) << kinds.response.message;
-    return kinds.response;
-  }
-
-  static const Kind& ofType(std::uint8_t type, const Kinds::Response& answer) {
-    static const Kind none;
-    for (const Kind& kind : answer.kinds)
-      if (kind.type == type) return kind;
-    return none;
-  }
-};
-
-TEST_F(KindsInAFile, AreListedAndOutliveTheirFrontsAndARestart) {
-  ASSERT_TRUE(playUnit(0, 700));
-  EXPECT_EQ(kinds().kinds.size(), 2u);
-  ASSERT_TRUE(playUnit(1, 720));
-  const std::uint32_t door = tracks_[0].id;
-  const ArticulationModelArrayConstPtr models = playUnit(2, 740);
-  ASSERT_TRUE(models);
-  const Kinds::Response answer = kinds();
-  ASSERT_EQ(answer.kinds.size(), 2u) << answer.message;
-  const Kind& doors = ofType(ArticulationModel::ROTATIONAL, answer);
-  EXPECT_EQ(doors.joints, 3u);
-  EXPECT_EQ(doors.fronts.size(), 3u);
-  EXPECT_EQ(doors.hinge, "left") << "as seen from before it";
-  EXPECT_NEAR(doors.radius, 0.2, 0.005);
-  EXPECT_NEAR(doors.radius_to_width, 0.5, 0.01);
-  EXPECT_NEAR(doors.range, 1.4, 0.02);
-  EXPECT_NEAR(doors.width, 0.4, 0.01);
-  EXPECT_NEAR(doors.height, 0.6, 0.01);
-  EXPECT_NEAR(std::abs(doors.axis.y), 1, 0.01);
-  EXPECT_NEAR(doors.share, 0.5, 1e-9);
-  EXPECT_NEAR(ofType(ArticulationModel::PRISMATIC, answer).axis.z, 1, 0.01) << "outwards";
-
-  // The wall is as large as the doors.
-  ASSERT_EQ(models->models.size(), 3u);
-  const ArticulationModel& wall = models->models[2];
-  EXPECT_FALSE(wall.moved);
-  EXPECT_FALSE(wall.observed);
-  EXPECT_EQ(wall.type, ArticulationModel::ROTATIONAL);
-  EXPECT_GT(wall.probabilities[ArticulationModel::ROTATIONAL], 0.5);
-  EXPECT_LT(wall.probabilities[ArticulationModel::ROTATIONAL], 0.8) << "three of four";
-  EXPECT_FALSE(predict(wall.id, 0.1).success) << "it is no joint";
-
-  Forget forget;
-  forget.request.id = door;
-  ASSERT_TRUE(ros::service::call("/cabinet/forget", forget) && forget.response.success);
-  EXPECT_EQ(ofType(ArticulationModel::ROTATIONAL, kinds()).joints, 3u) << "such doors exist";
-  EXPECT_EQ(ofType(ArticulationModel::ROTATIONAL, kinds()).fronts.size(), 2u);
-  restart();
-  const Kinds::Response after = kinds();
-  ASSERT_EQ(after.kinds.size(), 2u) << after.message;
-  EXPECT_EQ(ofType(ArticulationModel::ROTATIONAL, after).joints, 3u);
-  EXPECT_EQ(ofType(ArticulationModel::ROTATIONAL, after).fronts.size(), 2u);
-  EXPECT_NEAR(ofType(ArticulationModel::ROTATIONAL, after).radius, doors.radius, 1e-4);
-  EXPECT_FALSE(predict(door, 0.1).success);
-
-  EXPECT_TRUE(kinds(true).kinds.empty());
-  ASSERT_TRUE(callWithFile<SaveModels>("save_models", "").first);
-  EXPECT_FALSE(contains(text(), "kinds:"));
 }
 
 TEST_F(ModelFile, CanBeChosenAndMustFitTheFrame) {
