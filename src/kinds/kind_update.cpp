@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cabinet_articulation/joints/joint.h"
 #include "kinds/kind_description.h"
 
 namespace cabinet_articulation::core {
@@ -91,7 +90,6 @@ LearnedModel updatedByKinds(const LearnedModel& joint, const std::vector<JointKi
   for (double LearnedModel::*const q : {&LearnedModel::q, &LearnedModel::q_min, &LearnedModel::q_max})
     updated.*q = updated.configuration(joint.predict(joint.*q));
   if (joint.closed_known) updated.q_closed = updated.configuration(joint.predict(joint.q_closed));
-  updated.opening = openingAt(updated, updated.q);
   return updated;
 }
 

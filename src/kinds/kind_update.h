@@ -15,7 +15,8 @@ namespace cabinet_articulation::core {
 /// The own estimate with its covariance is the likelihood. A kind's next joint is the prior. A joint of no known kind hangs at
 /// one of the four sides of its front, or slides as FurniturePrior says. The joint stays as it is where that is more probable
 /// than all known kinds, and its type in any case. Else it is the mean of the posterior of the most probable kind, with its
-/// covariance. Joints without a JointShape stay as they are.
+/// covariance. Its q are those of the same poses, and the opening stays: a share of the way. Joints without a JointShape stay as
+/// they are.
 LearnedModel updatedByKinds(const LearnedModel& joint, const std::vector<JointKind>& kinds, const KindWeights& weights,
                             const KindsConfig& config, const FurniturePrior& prior);
 
