@@ -5,52 +5,21 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "articulation/models/model_registry.h"
-#include "cabinet_articulation/geometry/rectangle.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "joints/front_names.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-// Beside the tracker's tolerances: a map may lie elsewhere by some centimetres a day later (ours).
-constexpr double kPlaceTolerance = 0.05;  // [m]
-constexpr double kLargestShift = 0.4;     // of a side: an equal neighbour is at least one side away
-constexpr double kAngleTolerance = 0.39;  // [rad]
-constexpr double kSizeTolerance = 0.05;   // [m]
-constexpr int kPlaces = 9;                // along what was seen of a way
 // Identity of a history's first observation, which is never thinned out, but placed anew when the size is known better.
 constexpr double kSameStamp = 1e-5;  // [s]
 constexpr double kSamePoint = 0.05;  // [m]
-
-bool isAlike(double a, double b) { return a <= 0 || b <= 0 || std::abs(a - b) <= kSizeTolerance; }
-
-std::optional<double> distanceBetween(const Rectangle& a, const Rectangle& b) {
-  const Rectangle aligned = alignDescription(a, b, false);
-  if (angleBetween(aligned.pose, b.pose) > kAngleTolerance) return std::nullopt;
-  if (!isAlike(aligned.width, b.width) || !isAlike(aligned.height, b.height)) return std::nullopt;
-  double tolerance = kPlaceTolerance;
-  for (const double side : {a.width, a.height, b.width, b.height})
-    if (side > 0) tolerance = std::min(tolerance, kLargestShift * side);
-  const double distance = (a.center() - b.center()).norm();
-  return distance <= tolerance ? std::optional<double>(distance) : std::nullopt;
-}
-
-/// From where `seen` was to the way of the other.
-std::optional<double> distanceToWay(const LearnedModel& seen, const LearnedModel& way) {
-  std::optional<double> best;
-  for (int i = 0; i < kPlaces; ++i) {
-    const Rectangle place = frontAt(seen, seen.q_min + (seen.q_max - seen.q_min) * i / (kPlaces - 1));
-    const double q = std::clamp(way.configuration(place.pose), way.q_min - beyondSeen(way), way.q_max + beyondSeen(way));
-    const std::optional<double> distance = distanceBetween(place, frontAt(way, q));
-    if (distance && (!best || *distance < *best)) best = distance;
-  }
-  return best;
-}
 
 /// Whether `known` was learned from the file's observations, too.
 bool continues(const KnownFront& known, const KnownFront& file) {
@@ -59,6 +28,11 @@ bool continues(const KnownFront& known, const KnownFront& file) {
   return std::abs(now.front().stamp - before.front().stamp) < kSameStamp &&
          (now.front().rectangle.center() - before.front().rectangle.center()).norm() < kSamePoint &&
          now.back().stamp > before.back().stamp - kSameStamp;
+}
+
+/// It is the file's front, which was found to hang on another one since.
+bool hangsElsewhereNow(const KnownFront& known, const KnownFront& file) {
+  return known.model.parent != file.model.parent && continues(known, file);
 }
 
 bool isMuchPoorer(const KnownFront& known, const KnownFront& file) {
@@ -97,14 +71,23 @@ std::vector<NameChange> makeNamesUnique(std::vector<KnownFront>* fronts, const s
   return changes;
 }
 
+/// The file's front as it is described if it hangs on what the known one hangs on.
+LearnedModel onParentOf(const LearnedModel& known, const LearnedModel& file, const std::vector<LearnedModel>& all_known,
+                        const std::vector<LearnedModel>& all_file) {
+  const LearnedModel *now = findModel(known.parent, all_known), *before = findModel(file.parent, all_file);
+  return now != nullptr && before != nullptr ? transformed(file, turnBetween(*now, *before)) : file;
+}
+
 /// For every known front the file's one of the same place, or -1; the nearest pairs first, and those of one id before.
 std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<KnownFront>& file) {
+  const std::vector<LearnedModel> all_known = modelsOf(known), all_file = modelsOf(file);
+  const auto distanceOf = [&](std::size_t i, std::size_t j) {
+    return samePlace(known[i].model, onParentOf(known[i].model, file[j].model, all_known, all_file));
+  };
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < known.size(); ++i)
     for (std::size_t j = 0; j < file.size(); ++j) {
-      const bool hangs_elsewhere_now = known[i].model.parent != file[j].model.parent && continues(known[i], file[j]);
-      const std::optional<double> distance =
-          hangs_elsewhere_now ? std::optional<double>(0) : samePlace(known[i].model, file[j].model);
+      const std::optional<double> distance = hangsElsewhereNow(known[i], file[j]) ? std::optional<double>(0) : distanceOf(i, j);
       if (distance) pairs.emplace_back(known[i].model.id == file[j].model.id ? -1 : *distance, i, j);
     }
   // Parents come before what hangs on them.
@@ -113,14 +96,14 @@ std::vector<int> pairUp(const std::vector<KnownFront>& known, const std::vector<
   std::vector<int> partner(known.size(), -1);
   std::vector<bool> taken(file.size(), false);
   const auto have_one_parent = [&](const LearnedModel& now, const LearnedModel& before) {
-    if (now.parent == 0 || before.parent == 0) return true;
     for (std::size_t i = 0; i < known.size(); ++i)
       if (known[i].model.id == now.parent)
         return partner[i] >= 0 && file[static_cast<std::size_t>(partner[i])].model.id == before.parent;
     return false;
   };
   for (const auto& [distance, i, j] : pairs) {
-    if (partner[i] >= 0 || taken[j] || !have_one_parent(known[i].model, file[j].model)) continue;
+    const bool comparable = known[i].model.parent == 0 || file[j].model.parent == 0 || hangsElsewhereNow(known[i], file[j]);
+    if (partner[i] >= 0 || taken[j] || !(comparable || have_one_parent(known[i].model, file[j].model))) continue;
     partner[i] = static_cast<int>(j);
     taken[j] = true;
   }
@@ -141,23 +124,36 @@ void removeWhatHangsOnNothing(std::vector<KnownFront>* fronts) {
   }
 }
 
+void turnChildren(std::uint32_t parent, const Eigen::Isometry3d& T_target_source, std::vector<KnownFront>* fronts) {
+  for (KnownFront& front : *fronts)
+    if (front.model.parent == parent) front.model = transformed(front.model, T_target_source);
+}
+
 using NewIds = std::map<std::uint32_t, std::uint32_t>;  ///< of the file's fronts
 
 /// Leaves the better known one of each pair in `known`, with the id of the other. Returns how many are those of the file.
 std::size_t joinPairs(const std::vector<int>& partner, std::vector<KnownFront>* known, std::vector<KnownFront>* file,
                       NewIds* new_ids) {
   std::size_t from_file = 0;
-  for (std::size_t i = 0; i < known->size(); ++i) {
+  std::vector<std::size_t> order(known->size());
+  std::iota(order.begin(), order.end(), 0U);
+  // What turns with its parent must still be where that is.
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return (*known)[i].model.parent == 0; });
+  for (const std::size_t i : order) {
     if (partner[i] < 0) continue;
     KnownFront &front = (*known)[i], &other = (*file)[static_cast<std::size_t>(partner[i])];
     const LearnedModel now = front.model;
     (*new_ids)[other.model.id] = now.id;
     const std::string name = now.name.empty() ? other.model.name : now.name;
+    const Eigen::Isometry3d T_known_file = turnBetween(front.model, other.model);
     if (isMuchPoorer(front, other)) {
+      turnChildren(now.id, T_known_file.inverse(), known);
       front = std::move(other);
       setId(now.id, &front);
       front.model.parent = now.parent;
       ++from_file;
+    } else {
+      turnChildren(other.model.id, T_known_file, file);
     }
     setName(name, &front);
   }
@@ -172,15 +168,6 @@ std::set<std::uint32_t> idsOfNamed(const std::vector<KnownFront>& fronts) {
 }
 
 }  // namespace
-
-double beyondSeen(const LearnedModel& model) { return modelEntry(model.type).unit == ConfigurationUnit::kRadian ? 0.3 : 0.1; }
-
-std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b) {
-  if ((a.parent == 0) != (b.parent == 0)) return std::nullopt;
-  const std::optional<double> forth = distanceToWay(a, b), back = distanceToWay(b, a);
-  if (!forth || !back) return forth ? forth : back;
-  return std::min(*forth, *back);
-}
 
 std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<std::uint32_t>* taken) {
   std::set<std::uint32_t> ids(taken->begin(), taken->end());
@@ -200,10 +187,12 @@ std::vector<IdChange> giveFreeIds(std::vector<KnownFront>* fronts, std::vector<s
   return changes;
 }
 
-MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed) {
+MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file,
+                         const std::vector<ForgottenFront>& removed) {
+  const std::vector<LearnedModel> in_file = modelsOf(file);
   const auto is_removed = [&](const KnownFront& front) {
     return std::any_of(removed.begin(), removed.end(),
-                       [&](const LearnedModel& model) { return samePlace(model, front.model).has_value(); });
+                       [&](const ForgottenFront& forgotten) { return isSameFront(forgotten, front.model, in_file); });
   };
   file.erase(std::remove_if(file.begin(), file.end(), is_removed), file.end());
   removeWhatHangsOnNothing(&file);

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cabinet_articulation/joints/known_fronts.h"
+#include "joints/front_place.h"
 
 namespace cabinet_articulation::core {
-
-/// [m or rad] A front may go so far beyond what was seen of its way: 0.1 m or 0.3 rad (ours).
-double beyondSeen(const LearnedModel& model);
-
-/// [m] between two models of one front, nothing if they are of two. Fronts are the same if one comes to lie where the other was
-/// seen. Both have the same outer side (within 0.39 rad, as the tracker has it). The centres are within 0.05 m but less than 0.4
-/// of the shorter side, and the sides differ by at most 0.05 m. A side of 0 is unknown and fits any. The way of each is what was
-/// seen, and beyondSeen(). Numbers do not count. Both models are in one frame: that of the world, or that of one parent. One that
-/// hangs on a front is never one that hangs on the world.
-std::optional<double> samePlace(const LearnedModel& a, const LearnedModel& b);
 
 /// A change for every id that is 0, above kLargestId or taken. New ids count on from the largest, or where those are used up
 /// (kLargestId), are the first that is free. `taken` grows by all ids.
@@ -38,6 +28,6 @@ struct MergedFronts {
 /// itself, as its history tells, always replaces it. Fronts that only the file has stay; `removed` are the places of those that
 /// do not. A front without a name keeps the one that the file has for its place. Of fronts that hang on others, those are the
 /// same whose parents are, too. What hangs on a front that is removed is removed with it.
-MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<LearnedModel>& removed);
+MergedFronts mergeFronts(std::vector<KnownFront> known, std::vector<KnownFront> file, const std::vector<ForgottenFront>& removed);
 
 }  // namespace cabinet_articulation::core

@@ -15,7 +15,7 @@
 #include "cabinet_articulation/geometry/rectangle.h"
 #include "cabinet_articulation/joints/prediction.h"
 #include "geometry/turn_between.h"
-#include "joints/front_merge.h"
+#include "joints/front_place.h"
 
 namespace cabinet_articulation::core {
 namespace {

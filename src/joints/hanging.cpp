@@ -9,11 +9,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-const LearnedModel* find(std::uint32_t id, const std::vector<LearnedModel>& models) {
-  const auto found = std::find_if(models.begin(), models.end(), [id](const LearnedModel& model) { return model.id == id; });
-  return found == models.end() ? nullptr : &*found;
-}
-
 std::string inWords(std::uint32_t id) { return "front " + std::to_string(id); }
 
 /// The model's parent, its parent, and so on, as far as they are among `all`. Throws ModelError for a cycle.
@@ -25,7 +20,7 @@ std::vector<const LearnedModel*> parentsOf(const LearnedModel& model, const std:
     chain += " hangs on " + inWords(at->parent);
     if (!seen.insert(at->parent).second) throw ModelError(chain + ", in a cycle; one of them must have the parent 0, the world");
     chain += ", which";
-    const LearnedModel* parent = find(at->parent, all);
+    const LearnedModel* parent = findModel(at->parent, all);
     if (parent == nullptr) break;
     parents.push_back(parent);
     at = parent;
@@ -34,6 +29,11 @@ std::vector<const LearnedModel*> parentsOf(const LearnedModel& model, const std:
 }
 
 }  // namespace
+
+const LearnedModel* findModel(std::uint32_t id, const std::vector<LearnedModel>& models) {
+  const auto found = std::find_if(models.begin(), models.end(), [id](const LearnedModel& model) { return model.id == id; });
+  return found == models.end() ? nullptr : &*found;
+}
 
 LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_target_source) {
   LearnedModel result = model;
@@ -78,8 +78,26 @@ std::vector<LearnedModel> thoseOnKnown(const std::vector<LearnedModel>& models) 
   return result;
 }
 
+std::vector<LearnedModel> withParents(std::vector<LearnedModel> models, const std::vector<LearnedModel>& all) {
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (models[i].parent == 0 || findModel(models[i].parent, models) != nullptr) continue;
+    const LearnedModel* parent = findModel(models[i].parent, all);
+    if (parent != nullptr) models.push_back(*parent);
+  }
+  return models;
+}
+
 LearnedModel placed(const LearnedModel& model, const std::vector<LearnedModel>& all) {
   return model.parent == 0 ? model : transformed(model, frameOf(model, all));
+}
+
+LearnedModel setDown(const LearnedModel& model, const std::vector<LearnedModel>& all) {
+  LearnedModel result = placed(model, all);
+  result.parent = 0;
+  result.parent_probability = LearnedModel().parent_probability;
+  const auto is_ratio = [](const ModelParam& param) { return param.name == kCoupledRatio; };
+  result.params.erase(std::remove_if(result.params.begin(), result.params.end(), is_ratio), result.params.end());
+  return result;
 }
 
 std::vector<LearnedModel> allPlaced(const std::vector<LearnedModel>& models) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "joints/front_names.h"
 #include "tracking/history.h"
 
@@ -37,6 +38,15 @@ std::string inWords(const std::vector<IdChange>& changes) {
   for (const IdChange& change : changes)
     text += (text.empty() ? "front " : ", front ") + std::to_string(change.from) + " of the file is front " +
             std::to_string(change.to) + " now";
+  return text;
+}
+
+std::string childrenInWords(const ForgottenFront& forgotten) {
+  std::string text;
+  for (const std::uint32_t id : forgotten.set_down)
+    text += ", and front " + std::to_string(id) + ", which hung on it, hangs on the world now";
+  for (const std::uint32_t id : forgotten.lost)
+    text += ", and so is front " + std::to_string(id) + ", which hung on it at a place that nobody knows without it";
   return text;
 }
 
@@ -81,8 +91,12 @@ void KnownFronts::remember(KnownFront front) {
   const std::uint32_t id = front.model.id;
   remembered_[id] = std::move(front);
   if (remembered_.size() <= kMostRemembered) return;
-  remembered_.erase(std::min_element(remembered_.begin(), remembered_.end(), [](const auto& a, const auto& b) {
-    const auto worth = [](const LearnedModel& model) { return std::make_tuple(!model.name.empty(), model.observations); };
+  std::set<std::uint32_t> parents;
+  for (const LearnedModel& model : allModels()) parents.insert(model.parent);
+  remembered_.erase(std::min_element(remembered_.begin(), remembered_.end(), [&](const auto& a, const auto& b) {
+    const auto worth = [&](const LearnedModel& model) {
+      return std::make_tuple(parents.count(model.id) > 0, !model.name.empty(), model.observations);
+    };
     return worth(a.second.model) < worth(b.second.model);
   }));
 }
@@ -177,12 +191,50 @@ void KnownFronts::replace(std::vector<KnownFront> fronts) {
   for (KnownFront& front : fronts) remember(std::move(front));
 }
 
-LearnedModel KnownFronts::forget(std::uint32_t id) {
-  const LearnedModel model = at(id);
+/// Of every id what at() says.
+std::vector<LearnedModel> KnownFronts::allModels() const {
+  std::vector<LearnedModel> all;
+  for (const auto& entry : remembered_) all.push_back(at(entry.first));
+  for (const auto& entry : live_)
+    if (remembered_.count(entry.first) == 0) all.push_back(entry.second);
+  return all;
+}
+
+void KnownFronts::setDownChildren(const std::vector<LearnedModel>& all, ForgottenFront* forgotten) {
+  for (const LearnedModel& child : all) {
+    if (child.parent != forgotten->model.id) continue;
+    const bool has_place = hangsOnKnown(child, all);
+    (has_place ? forgotten->set_down : forgotten->lost).push_back(child.id);
+    const auto live = live_.find(child.id);
+    const auto known = remembered_.find(child.id);
+    if (live != live_.end() && live->second.parent == forgotten->model.id) {
+      if (has_place)
+        live->second = setDown(live->second, all);
+      else
+        live_.erase(live);
+    }
+    if (known == remembered_.end() || known->second.model.parent != forgotten->model.id) continue;
+    if (has_place)
+      known->second.model = setDown(known->second.model, all);
+    else
+      remembered_.erase(known);
+  }
+}
+
+ForgottenFront KnownFronts::forget(std::uint32_t id) {
+  ForgottenFront forgotten(at(id));
+  const std::vector<LearnedModel> all = allModels();
+  setDownChildren(all, &forgotten);
+  const LearnedModel* parent = findModel(forgotten.model.parent, all);
+  if (parent != nullptr && hangsOnKnown(forgotten.model, all)) {
+    const LearnedModel in_world = placed(*parent, all);
+    forgotten.parent = frontAt(in_world, in_world.q);
+    forgotten.model = placed(forgotten.model, all);
+  }
   live_.erase(id);
   remembered_.erase(id);
   names_.erase(id);
-  return model;
+  return forgotten;
 }
 
 }  // namespace cabinet_articulation::core

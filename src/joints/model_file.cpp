@@ -72,7 +72,7 @@ std::string SavedModels::inWords(const std::string& file) const {
   return text;
 }
 
-SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<LearnedModel>& removed) {
+SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<ForgottenFront>& removed) {
   return onFile(path, [&] {
     const fs::path file = followLinks(path);
     const FolderLock lock(file.parent_path());
@@ -107,7 +107,7 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
   });
 }
 
-std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<LearnedModel>& removed,
+std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<ForgottenFront>& removed,
                                 const std::vector<JointShape>& kinds) {
   return onFile(path, [&]() -> std::size_t {
     const fs::path file = followLinks(path);

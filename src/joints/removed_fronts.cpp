@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "joints/front_merge.h"
+#include "joints/front_place.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -15,34 +15,37 @@ std::string nameOf(const std::string& file) {
   return error ? file : path.string();
 }
 
-bool isAmong(const LearnedModel& model, const std::vector<KnownFront>& fronts) {
-  return std::any_of(fronts.begin(), fronts.end(),
-                     [&](const KnownFront& front) { return samePlace(model, front.model).has_value(); });
+bool isAmong(const ForgottenFront& forgotten, const std::vector<LearnedModel>& models) {
+  return std::any_of(models.begin(), models.end(),
+                     [&](const LearnedModel& model) { return isSameFront(forgotten, model, models); });
 }
 
 }  // namespace
 
-void RemovedFronts::add(const LearnedModel& model) {
-  places_.push_back({model, {}});
+void RemovedFronts::add(const ForgottenFront& forgotten) {
+  if (forgotten.model.parent != 0 && !forgotten.parent) return;
+  places_.push_back({forgotten, {}});
   if (places_.size() > kMost) places_.pop_front();
 }
 
-std::vector<LearnedModel> RemovedFronts::in(const std::string& file) const {
+std::vector<ForgottenFront> RemovedFronts::in(const std::string& file) const {
   const std::string name = nameOf(file);
-  std::vector<LearnedModel> models;
+  std::vector<ForgottenFront> fronts;
   for (const Place& place : places_)
-    if (place.free_in.count(name) == 0) models.push_back(place.model);
-  return models;
+    if (place.free_in.count(name) == 0) fronts.push_back(place.front);
+  return fronts;
 }
 
 void RemovedFronts::saved(const std::string& file, const std::vector<KnownFront>& fronts) {
   const std::string name = nameOf(file);
+  const std::vector<LearnedModel> models = modelsOf(fronts);
   for (Place& place : places_)
-    if (isAmong(place.model, fronts)) place.free_in.insert(name);
+    if (isAmong(place.front, models)) place.free_in.insert(name);
 }
 
 void RemovedFronts::loaded(const std::vector<KnownFront>& fronts) {
-  const auto known_again = [&](const Place& place) { return isAmong(place.model, fronts); };
+  const std::vector<LearnedModel> models = modelsOf(fronts);
+  const auto known_again = [&](const Place& place) { return isAmong(place.front, models); };
   places_.erase(std::remove_if(places_.begin(), places_.end(), known_again), places_.end());
 }
 

@@ -17,10 +17,11 @@ class RemovedFronts {
  public:
   static constexpr std::size_t kMost = 1024;  ///< beyond, the oldest are dropped (ours)
 
-  void add(const LearnedModel& model);
+  /// A front that hung on another one, which is not known, has no place. It leaves a file with its parent.
+  void add(const ForgottenFront& forgotten);
 
   /// Those that must not come back from this file.
-  std::vector<LearnedModel> in(const std::string& file) const;
+  std::vector<ForgottenFront> in(const std::string& file) const;
 
   /// These were written to the file.
   void saved(const std::string& file, const std::vector<KnownFront>& fronts);
@@ -33,7 +34,7 @@ class RemovedFronts {
 
  private:
   struct Place {
-    LearnedModel model;
+    ForgottenFront front;
     std::set<std::string> free_in;
   };
   std::deque<Place> places_;

@@ -73,7 +73,7 @@ std::string ModelStore::nameOfFrame(const std::string& frame_id) const {
 std::string ModelStore::save(const std::string& file) {
   std::lock_guard<std::mutex> filing(filing_);
   core::ModelFile models;
-  std::vector<core::LearnedModel> removed;
+  std::vector<core::ForgottenFront> removed;
   {
     std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
@@ -106,25 +106,25 @@ std::string ModelStore::saveAtExit() {
 
 std::string ModelStore::forget(std::uint32_t id) {
   std::lock_guard<std::mutex> filing(filing_);
-  core::LearnedModel model;
+  core::ForgottenFront forgotten;
   std::vector<core::JointShape> votes;
   std::string frame;
   {
     std::lock_guard<std::mutex> learning(learning_);
     std::lock_guard<std::mutex> lock(mutex_);
-    model = known_.forget(id);
+    forgotten = known_.forget(id);
     frame = frame_id_;
     calls_.forget(id);
     votes = kinds_.votesOf(id);
     kinds_.forget(id);
-    removed_.add(model);
+    removed_.add(forgotten);
     forgotten_.insert(id);
     known_fronts_.publish(listOf({frame_id_, known_.joints()}));
   }
-  const std::string text = "front " + std::to_string(id) + " is forgotten";
+  const std::string text = "front " + std::to_string(id) + " is forgotten" + core::childrenInWords(forgotten);
   if (file_.models_file.empty()) return text;
   try {
-    const std::size_t gone = core::removeFromModelFile(file_.models_file, frame, {model}, votes);
+    const std::size_t gone = core::removeFromModelFile(file_.models_file, frame, {forgotten}, votes);
     return text + (gone > 0 ? " and taken from '" : "; it was not in '") + file_.models_file + "'";
   } catch (const core::ModelFileError& error) {
     return text + ", but may still be in the file: " + error.what();

@@ -32,6 +32,17 @@ TEST(Hanging, FollowsTheParentWhereItIs) {
   }
 }
 
+TEST(Hanging, ParentsAreAddedOnce) {
+  const LearnedModel door = test::doorModel();
+  LearnedModel box = rack();
+  box.id = 9;
+  box.parent = 4;
+  std::vector<std::uint32_t> ids;
+  for (const LearnedModel& model : withParents({box, door}, {rack(), door, box})) ids.push_back(model.id);
+  EXPECT_THAT(ids, testing::ElementsAre(9, 3, 4));
+  EXPECT_EQ(withParents({rack()}, {}).size(), 1U);
+}
+
 TEST(Hanging, ChainsGoOnToTheWorld) {
   const LearnedModel door = test::doorModel();
   LearnedModel box = rack();

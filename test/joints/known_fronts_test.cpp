@@ -108,8 +108,8 @@ TEST(KnownFronts, ForgetsOneAndNoOther) {
   KnownFronts known;
   see(&known, {test::restingModel(), test::doorModel(), test::drawerModel()});
   see(&known, {test::restingModel(), test::drawerModel()});
-  EXPECT_EQ(known.forget(3).radius, test::doorModel().radius) << "out of view";
-  EXPECT_EQ(known.forget(1).id, 1u) << "in view, and no joint";
+  EXPECT_EQ(known.forget(3).model.radius, test::doorModel().radius) << "out of view";
+  EXPECT_EQ(known.forget(1).model.id, 1u) << "in view, and no joint";
   EXPECT_THAT([&] { known.forget(3); }, ThrowsSaying<ModelError>("there is no front 3; the fronts known are 4"));
   EXPECT_EQ(known.joints().size(), 1u);
 }

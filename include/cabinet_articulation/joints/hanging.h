@@ -13,6 +13,13 @@ namespace cabinet_articulation::core {
  * outwards. To place it, the pose of the parent's front at its own q comes first, and so on up to the world.
  */
 
+/// The model with this id; nullptr if there is none.
+const LearnedModel* findModel(std::uint32_t id, const std::vector<LearnedModel>& models);
+
+/// Name of the parameter that says that a front has one degree of freedom with its parent: by how much its q grows with the
+/// parent's.
+constexpr char kCoupledRatio[] = "coupled_ratio";
+
 /// The same joint, described in another frame.
 LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_target_source);
 
@@ -25,9 +32,15 @@ bool hangsOnKnown(const LearnedModel& model, const std::vector<LearnedModel>& al
 
 std::vector<LearnedModel> thoseOnKnown(const std::vector<LearnedModel>& models);
 
+/// These and all that they hang on, as far as that is among `all`.
+std::vector<LearnedModel> withParents(std::vector<LearnedModel> models, const std::vector<LearnedModel>& all);
+
 /// The model in the frame that the world's fronts are described in, with its parents at their present q. One that hangs on the
 /// world is returned as it is. Throws as frameOf().
 LearnedModel placed(const LearnedModel& model, const std::vector<LearnedModel>& all);
+
+/// The same, but from now on it hangs on the world, and stays where it is.
+LearnedModel setDown(const LearnedModel& model, const std::vector<LearnedModel>& all);
 
 /// The same of all models; those whose parents are not among them are left out.
 std::vector<LearnedModel> allPlaced(const std::vector<LearnedModel>& models);

@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cabinet_articulation/geometry/rectangle.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/tracking/track_updates.h"
 
@@ -19,6 +22,21 @@ struct KnownFront {
 };
 
 std::vector<LearnedModel> modelsOf(const std::vector<KnownFront>& fronts);
+
+/// A front as it was when it was forgotten on purpose.
+struct ForgottenFront {
+  ForgottenFront() = default;
+  /// One that hangs on the world.
+  ForgottenFront(LearnedModel of_the_world) : model(std::move(of_the_world)) {}
+
+  LearnedModel model;                   ///< placed in the world, with the number of its parent
+  std::optional<Rectangle> parent;      ///< in the world: the front that it hung on; none if that is not known
+  std::vector<std::uint32_t> set_down;  ///< ids of fronts that hung on it: they hang on the world since
+  std::vector<std::uint32_t> lost;      ///< ids of those whose place nobody knows without it: they are forgotten, too
+};
+
+/// ", and front 4, which hung on it, hangs on the world now", for all of them; empty if nothing hung on it.
+std::string childrenInWords(const ForgottenFront& forgotten);
 
 /// A front cannot be called so. The message says why, and what would do.
 class NameError : public ModelError {
@@ -56,8 +74,8 @@ constexpr int kKeptObservations = 200;
 /// not erase it. What is given up stays, with its doubt, but answers no questions any more.
 class KnownFronts {
  public:
-  /// So many joints are remembered beside those in view; those without a name, with the fewest observations, go first (some 50
-  /// MB, ours).
+  /// So many joints are remembered beside those in view; those without a name, with the fewest observations, go first, but
+  /// none before what hangs on it (some 50 MB, ours).
   static constexpr std::size_t kMostRemembered = 256;
 
   /// Names that are kept for fronts nobody knows at the moment, in case that their ids return (ours).
@@ -93,8 +111,9 @@ class KnownFronts {
   /// Forgets everything and remembers these.
   void replace(std::vector<KnownFront> fronts);
 
-  /// Forgets one front and returns what its model was. Throws ModelError for an id nobody knows.
-  LearnedModel forget(std::uint32_t id);
+  /// Forgets one front and returns what it was. What hung on it stays where it is, and hangs on the world from now on. Throws
+  /// ModelError for an id nobody knows.
+  ForgottenFront forget(std::uint32_t id);
 
  private:
   struct Kept {
@@ -109,6 +128,8 @@ class KnownFronts {
   std::map<std::uint32_t, Kept> worthKeeping() const;
   const Track* trackOf(std::uint32_t id) const;
   void remember(KnownFront front);
+  std::vector<LearnedModel> allModels() const;
+  void setDownChildren(const std::vector<LearnedModel>& all, ForgottenFront* forgotten);
 
   TrackAssembly tracks_;                  ///< in view
   std::map<std::uint32_t, Track> ended_;  ///< out of view since the last update

@@ -51,11 +51,11 @@ struct SavedModels {
 /// Of two fronts in one place that of `models` stays, unless the file's is much better known. A model file that is damaged, of
 /// another version or in another frame cannot be merged. It is kept beside the new one as FILE.kept-1 (or the next number that is
 /// free, up to 100). Throws ModelFileError; also for what is there and is no model file, and stays as it is.
-SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<LearnedModel>& removed = {});
+SavedModels saveModelFile(const std::string& path, const ModelFile& models, const std::vector<ForgottenFront>& removed = {});
 
 /// Takes the fronts of these places from the file, and returns how many there were. `kinds`: what they taught, which the file
 /// keeps. A file that is missing or in another frame has none of them. Throws ModelFileError.
-std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<LearnedModel>& removed,
+std::size_t removeFromModelFile(const std::string& path, const std::string& frame, const std::vector<ForgottenFront>& removed,
                                 const std::vector<JointShape>& kinds = {});
 
 /// Throws ModelFileError for a file that is missing, damaged, cut off, of another version or no ordinary file. Everything is
