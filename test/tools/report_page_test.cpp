@@ -54,6 +54,32 @@ TEST(RunRecord, GoesOnWhereTimeJumpsBack) {
   EXPECT_TRUE(record.moved().front()->unseen.empty());
 }
 
+TEST(RunRecord, SamplesOfAHangingFrontAreInTheFrameOfItsParentOfThatTime) {
+  RunRecord record;
+  core::LearnedModel parent = test::doorModel(), drawer = test::drawerModel();
+  for (int i = 0; i < 20; ++i) {
+    core::PipelineResult result;
+    parent.q = 0.05 * i;
+    drawer.parent = i < 10 ? 0 : parent.id;
+    drawer.q = 0.01 * i;
+    result = resultOf({parent, drawer}, 100 + i, true);
+    for (core::TrackUpdate& update : result.track_updates)
+      if (update.track.id == drawer.id && i >= 10) {
+        core::Rectangle& seen = update.track.observations[0].rectangle;
+        seen.pose = parent.predict(parent.q) * seen.pose;
+      }
+    record.add(100 + i, result);
+  }
+  const FrontRecord& front = *record.moved()[1];
+  ASSERT_EQ(front.model.id, drawer.id);
+  EXPECT_EQ(front.hangs_since.value_or(0), 10);
+  EXPECT_EQ(front.first_seen, 0);
+  const std::vector<FrontSample> samples = front.observations.values();
+  ASSERT_EQ(samples.size(), 10U) << "of one frame alone";
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    EXPECT_NEAR(drawer.configuration(samples[i].rectangle.pose), 0.1 + 0.01 * static_cast<double>(i), 1e-9);
+}
+
 TEST(RunRecord, MemoryIsBounded) {
   RunRecord record;
   for (int i = 0; i < 3000; ++i) {

@@ -123,11 +123,12 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 
 Facts factsOf(const FrontRecord& front, const Viewpoint& view, const RunFacts& run, const RunRecord& record) {
   const core::LearnedModel& model = front.model;
+  const std::string frame = model.parent == 0 ? run.fixed_frame : format("the frame of front %u", model.parent);
   Facts facts{{"Type", swatch(model) + typeText(model)}};
   if (core::wasJoint(model)) {
     facts.insert(facts.end(), {{"Opening", endsText(model)},
                                {"Closed", closedText(model)},
-                               {"Axis", axisText(model, run.fixed_frame)},
+                               {"Axis", axisText(model, frame)},
                                {"Residuals", residualText(model) + " in the mean"}});
   }
   facts.insert(facts.end(),
@@ -137,7 +138,8 @@ Facts factsOf(const FrontRecord& front, const Viewpoint& view, const RunFacts& r
                 {"Not seen", unseenText(front.unseen, record.end())},
                 {"Edges seen", edgesText(front, view)}});
   if (model.parent != 0)
-    facts.emplace_back("Hangs on", format("front %u, %.0f %%", model.parent, 100 * model.parent_probability));
+    facts.emplace_back("Hangs on", format("front %u, %.0f %%; charts are in its frame, with what was seen since %.1f s",
+                                          model.parent, 100 * model.parent_probability, front.hangs_since.value_or(0)));
   return facts;
 }
 
@@ -153,7 +155,7 @@ std::string frontRow(const FrontRecord& front) {
 }
 
 std::string frontSection(const FrontRecord& front, const RunFacts& facts, const RunRecord& record, const Picture* first) {
-  const Viewpoint view = beforeTheFront(front.model, facts.upwards);
+  const Viewpoint view = beforeTheFront(front.model, front.turn.transpose() * facts.upwards);
   const TimeAxis time{"time [s]", {0, std::max(record.end(), record.period())}, record.period()};
   std::string html = "<h2 id=\"" + anchorOf(front.model) + "\">" + escaped(titleOf(front.model)) + "</h2>\n";
   html += "<div class=\"row\">\n<div class=\"left\">\n" + factTable(factsOf(front, view, facts, record)) + "</div>\n";

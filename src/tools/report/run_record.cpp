@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "geometry/message_precision.h"
 
@@ -37,11 +39,27 @@ void RunRecord::advance(double stamp) {
   ++frames_;
 }
 
+/// Samples of one chart are in one frame, so they begin anew when the parent is another one.
+void RunRecord::describe(const core::LearnedModel& model, const std::vector<core::LearnedModel>& all, FrontRecord* front) const {
+  if (front->model.parent != model.parent) {
+    front->observations = Thinned<FrontSample>(kMostSamples);
+    front->hangs_since = model.parent != 0 ? std::optional<double>(time_) : std::nullopt;
+  }
+  front->model = model;
+  front->frame.reset();
+  if (!core::hangsOnKnown(model, all)) return;
+  front->frame = core::frameOf(model, all);
+  front->turn = front->frame->linear();
+}
+
 void RunRecord::observe(const core::TrackedObservation& observation, FrontRecord* front) const {
-  if (front->observations.count() == 0) front->first_seen = front->last_seen = time_;
+  if (!std::exchange(front->was_seen, true)) front->first_seen = front->last_seen = time_;
   if (front->last_seen < time_before_) addGap({front->last_seen, time_}, &front->unseen);
   front->last_seen = time_;
-  front->observations.add({time_, observation.rectangle, observation.edge_support});
+  if (!front->frame) return;
+  core::Rectangle rectangle = observation.rectangle;
+  if (front->model.parent != 0) rectangle.pose = front->frame->inverse() * rectangle.pose;
+  front->observations.add({time_, rectangle, observation.edge_support});
 }
 
 std::vector<std::uint32_t> RunRecord::add(double stamp, const core::PipelineResult& result) {
@@ -50,7 +68,7 @@ std::vector<std::uint32_t> RunRecord::add(double stamp, const core::PipelineResu
   std::vector<std::uint32_t> new_joints;
   for (const core::LearnedModel& model : result.models) {
     FrontRecord& front = fronts_[model.id];
-    front.model = model;
+    describe(model, result.models, &front);
     front.opinions.add({time_, model.probabilities});
     if (front.first_joint || !core::isJoint(model)) continue;
     front.first_joint = time_;

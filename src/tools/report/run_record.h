@@ -16,7 +16,7 @@ namespace cabinet_articulation {
 /// So many samples of a front are enough for a chart (ours).
 constexpr std::size_t kMostSamples = 600;
 
-/// One observation of a front. Times are seconds since the run's first frame.
+/// One observation of a front, in the frame that its model is described in. Times are seconds since the run's first frame.
 struct FrontSample {
   double time = 0;
   core::Rectangle rectangle;
@@ -32,6 +32,12 @@ struct Opinion {
 /// The history of one front, in bounded memory.
 struct FrontRecord {
   core::LearnedModel model;  ///< as it was known last
+  /// Where the frame was in which the model is described: that of the front it hangs on, or the world itself. Nothing if nobody
+  /// knows.
+  std::optional<Eigen::Isometry3d> frame = Eigen::Isometry3d::Identity();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< of that frame when it was known last
+  std::optional<double> hangs_since;                   ///< samples are those since then
+  bool was_seen = false;
   Thinned<FrontSample> observations{kMostSamples};
   Thinned<Opinion> opinions{kMostSamples};
   std::vector<Range> unseen;          ///< times without observations, the longest ones, in order
@@ -66,6 +72,7 @@ class RunRecord {
 
  private:
   void advance(double stamp);
+  void describe(const core::LearnedModel& model, const std::vector<core::LearnedModel>& all, FrontRecord* front) const;
   void observe(const core::TrackedObservation& observation, FrontRecord* front) const;
   void forgetOthers(const std::vector<core::LearnedModel>& models);
 
