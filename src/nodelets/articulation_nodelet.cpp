@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <deque>
 #include <pluginlib/class_list_macros.hpp>
+#include <set>
+#include <utility>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/joints/hanging.h"
@@ -31,7 +33,7 @@ class ArticulationStage : public StageNodelet {
     ModelFileConfig file;
     loadSettings(config, file, output_);
     learner_ = std::make_unique<core::ArticulationLearner>(config.articulation);
-    structure_ = std::make_unique<core::StructureFinder>(config.articulation);
+    structure_ = std::make_unique<core::StructureFinder>(config.articulation, config.structure);
     getMTNodeHandle().setCallbackQueue(requests_.queue());
     store_ = std::make_unique<ModelStore>(getMTNodeHandle(), file, config, storeCalls(), guard());
     report([this] { return store_->loadAtStart(); });
@@ -41,7 +43,8 @@ class ArticulationStage : public StageNodelet {
     offerTuning<core::LearningConfig>(config, [this](const auto& tuned) {
       std::lock_guard<std::mutex> lock(store_->learning());
       auto learner = std::make_unique<core::ArticulationLearner>(tuned.articulation);
-      structure_ = std::make_unique<core::StructureFinder>(tuned.articulation);
+      structure_ = std::make_unique<core::StructureFinder>(tuned.articulation, tuned.structure);
+      told_.clear();
       learner_ = std::move(learner);
       remember(store_->ownJoints());
       store_->configureKinds(tuned);
@@ -64,6 +67,7 @@ class ArticulationStage : public StageNodelet {
       learner_->reset();
       closed_.reset();
       structure_->reset();
+      told_.clear();
       remember(joints);
     };
     const auto forget = [this](std::uint32_t id) {
@@ -183,11 +187,10 @@ class ArticulationStage : public StageNodelet {
     const auto hangs = [](const core::LearnedModel& model) { return model.parent != 0; };
     health().note("hanging", static_cast<double>(std::count_if(models.begin(), models.end(), hangs)));
     health().note("coupled", static_cast<double>(structure_->coupled().size()));
-    if (structure_->coupled().size() <= coupled_told_) return;
-    coupled_told_ = structure_->coupled().size();
     for (const core::CoupledFronts& fronts : structure_->coupled())
-      NODELET_INFO("%s: fronts %u and %u have one degree of freedom: the second's q grows by %.2f with the first's",
-                   getName().c_str(), fronts.first, fronts.second, fronts.ratio);
+      if (told_.size() < kMostTold && told_.insert(std::minmax(fronts.first, fronts.second)).second)
+        NODELET_INFO("%s: fronts %u and %u have one degree of freedom: the second's q grows by %.2f with the first's",
+                     getName().c_str(), fronts.first, fronts.second, fronts.ratio);
   }
 
   /// As joint states and frames count.
@@ -209,7 +212,8 @@ class ArticulationStage : public StageNodelet {
   std::unique_ptr<core::ArticulationLearner> learner_;
   core::ClosedFinder closed_;
   std::unique_ptr<core::StructureFinder> structure_;
-  std::size_t coupled_told_ = 0;
+  static constexpr std::size_t kMostTold = 1024;            ///< ours: a log of more is not read
+  std::set<std::pair<std::uint32_t, std::uint32_t>> told_;  ///< coupled fronts that the log names already
   std::unique_ptr<ModelStore> store_;
   std::unique_ptr<ModelServices> services_;
   FrameOutputConfig output_;

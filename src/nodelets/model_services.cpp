@@ -138,6 +138,7 @@ void ModelServices::exportUrdf(const ExportUrdf::Request& request, ExportUrdf::R
   core::requireAtMost("ids", request.ids.size(), core::limits::kMostEntries);
   for (const std::uint32_t id : std::set<std::uint32_t>(request.ids.begin(), request.ids.end()))
     models.push_back(store_.modelOf(id, &frame_id));
+  models = core::withParents(std::move(models), store_.jointModels());
   if (request.ids.empty())
     for (const core::LearnedModel& model : store_.jointModels(&frame_id))
       if (core::hasUrdf(model)) models.push_back(model);

@@ -91,10 +91,16 @@ KindsConfig paperKinds() {
   return config;
 }
 
+StructureConfig paperStructure() {
+  StructureConfig config;
+  config.hanging = false;
+  return config;
+}
+
 }  // namespace
 
 PipelineConfig PipelineConfig::paper() {
-  return {paperStereo(), paperPlanes(), paperRectangles(), paperTracking(), paperArticulation(), paperKinds()};
+  return {paperStereo(), paperPlanes(), paperRectangles(), paperTracking(), paperArticulation(), paperKinds(), paperStructure()};
 }
 
 }  // namespace cabinet_articulation::core

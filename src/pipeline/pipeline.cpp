@@ -42,6 +42,7 @@ PipelineConfig PipelineConfig::load(const std::string& directory, std::vector<st
   const auto learning = loadOrDefault<LearningConfig>(directory + "/articulation.yaml", warnings);
   config.articulation = learning.articulation;
   config.kinds = learning.kinds;
+  config.structure = learning.structure;
   return config;
 }
 
@@ -52,9 +53,9 @@ Pipeline::Pipeline(const PipelineConfig& config)
       rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
       articulation_(config.articulation),
-      kinds_(std::make_unique<KindMemory>(LearningConfig{config.articulation, config.kinds})),
+      kinds_(std::make_unique<KindMemory>(LearningConfig{config.articulation, config.kinds, config.structure})),
       closed_(std::make_unique<ClosedFinder>()),
-      structure_(std::make_unique<StructureFinder>(config.articulation)) {}
+      structure_(std::make_unique<StructureFinder>(config.articulation, config.structure)) {}
 
 Pipeline::~Pipeline() = default;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cabinet_articulation/geometry/rectangle.h"
+#include "structure/seen_motion.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -43,10 +44,7 @@ std::optional<Eigen::Isometry3d> CarrierPath::at(double stamp) const {
 }
 
 double wayOfCorners(const LearnedModel& joint, double q, double other) {
-  const Rectangle a{joint.predict(q), joint.width, joint.height}, b{joint.predict(other), joint.width, joint.height};
-  double way = 0;
-  for (std::size_t i = 0; i < a.corners().size(); ++i) way = std::max(way, (a.corners()[i] - b.corners()[i]).norm());
-  return way;
+  return distanceOfCorners({joint.predict(q), joint.width, joint.height}, {joint.predict(other), joint.width, joint.height});
 }
 
 }  // namespace cabinet_articulation::core

@@ -24,6 +24,7 @@ std::vector<Eigen::Vector2d> distinct(const ConfigurationPairs& pairs, double si
 }  // namespace
 
 std::optional<double> ratioOfCoupled(const ConfigurationPairs& pairs, double sigma_position) {
+  constexpr double kMeanSquare = 4;  // [4 sigma^2] at most, of residuals: those of a function are within twice the noise (ours)
   constexpr double kLeastRange = 3;  // [2 sigma] 6 cm: less says nothing of a function (ours)
   const std::vector<Eigen::Vector2d> places = distinct(pairs, sigma_position);
   if (places.size() < 4) return std::nullopt;
@@ -39,7 +40,7 @@ std::optional<double> ratioOfCoupled(const ConfigurationPairs& pairs, double sig
   const double squares = (A * line - b).squaredNorm(), count = static_cast<double>(A.rows());
   const double log_odds = count * std::log(range / std::sqrt(2 * M_PI)) - squares / 2 - std::log(count);
   const double ratio = line[0] * pairs.first_metres / pairs.second_metres;
-  return log_odds > 0 && squares < 4 * count ? std::optional<double>(ratio) : std::nullopt;
+  return log_odds > 0 && squares < kMeanSquare * count ? std::optional<double>(ratio) : std::nullopt;
 }
 
 }  // namespace cabinet_articulation::core

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 
 #include "cabinet_articulation/joints/joint.h"
 #include "structure/carrier_path.h"
@@ -23,8 +24,9 @@ double gapBetween(const Rectangle& a, const Rectangle& b) {
   return std::max(0.0, (in_a - nearest).norm() - std::hypot(b.width, b.height) / 2);
 }
 
-/// Whether the child moved in the world for the most part of what the carrier did. What rests then does not hang on it.
-bool goesAlong(const CarrierPath& carrier, const Track& child, double sigma_position) {
+/// Whether the child moved in the world for the most part of what the carrier did. What rests then does not hang on it. Nothing
+/// if the carrier was not seen to move.
+std::optional<bool> goesAlong(const CarrierPath& carrier, const Track& child, double sigma_position) {
   const TrackedObservation* last = nullptr;
   double last_q = 0;
   int along = 0, alone = 0;
@@ -32,16 +34,11 @@ bool goesAlong(const CarrierPath& carrier, const Track& child, double sigma_posi
     const std::optional<double> q = carrier.configurationAt(observation.stamp);
     if (!q) continue;
     if (last != nullptr && wayOfCorners(carrier.joint(), last_q, *q) < 2 * sigma_position) continue;
-    if (last != nullptr) {
-      double way = 0;
-      for (std::size_t i = 0; i < 4; ++i)
-        way = std::max(way, (observation.rectangle.corners()[i] - last->rectangle.corners()[i]).norm());
-      ++(way > sigma_position ? along : alone);
-    }
+    if (last != nullptr) ++(distanceOfCorners(observation.rectangle, last->rectangle) > sigma_position ? along : alone);
     last = &observation;
     last_q = *q;
   }
-  return along > alone;
+  return along + alone > 0 ? std::optional<bool>(along > alone) : std::nullopt;
 }
 
 /// [m per unit of q]
@@ -65,56 +62,75 @@ double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 }  // namespace
 
-void FrontPairs::look(const Front& child, const Front& parent, Pair* pair) {
+std::optional<double> FrontPairs::look(const Front& child, const Front& parent, Pair* pair) {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
   const CarrierPath carrier(*parent.track, *parent.model, structure_.pause);
   TrackPair seen = relativeTo(carrier, *child.track);
   pair->ratio.reset();
-  if (seen.world.observations.empty()) return;
+  if (seen.world.observations.empty()) return std::nullopt;
   const Track of_its_own = seen.relative;
   if (isJoint(*child.model) && seen.carrier_way > config_.motion_min)
     pair->ratio = ratioOf(carrier, seen.world, *child.model, config_.sigma_position);
   if (isJoint(*child.model)) addSeenAsPart(carrier, *parent.track, *child.model, structure_.margin, &seen);
-  if (seen.carrier_way < config_.motion_min) return;
+  if (seen.carrier_way < config_.motion_min) return std::nullopt;
+  const std::optional<bool> goes_along = goesAlong(carrier, seen.world, config_.sigma_position);
+  if (!goes_along) return std::nullopt;
   pair->likely = false;
-  if (!goesAlong(carrier, seen.world, config_.sigma_position)) return;
+  if (!*goes_along) return kNever;
   const HangingEvidence evidence = compareWithWorld(seen, config_);
   pair->log_odds = evidence.log_odds + std::log(structure_.hanging_odds);
   pair->likely = pair->log_odds > 0;
   if (pair->likely) pair->ratio = ratioOf(carrier, of_its_own, evidence.relative, config_.sigma_position);
+  return evidence.rests ? std::nullopt : std::optional<double>(evidence.log_odds);
 }
 
-void FrontPairs::update(const std::vector<Track>& tracks, const std::vector<LearnedModel>& models) {
-  constexpr double kGrowth = 1.25;
-  refuted_.clear();
-  ++updates_;
+std::vector<FrontPairs::Front> FrontPairs::moved(const std::vector<Track>& tracks, const std::vector<LearnedModel>& models) {
   std::vector<Front> moved;
   for (const LearnedModel& model : models) {
     const auto track = std::find_if(tracks.begin(), tracks.end(), [&](const Track& other) { return other.id == model.id; });
-    if (model.moved && track != tracks.end() && !track->observations.empty()) moved.push_back({&*track, &model});
+    if (!model.moved || track == tracks.end() || track->observations.empty()) continue;
+    SeenMotion& motion = motions_[model.id];
+    motion.follow(*track, 2 * config_.sigma_position);
+    moved.push_back({&*track, &model, &motion});
   }
+  return moved;
+}
+
+bool FrontPairs::isDue(const Pair& pair, const Front& a, const Front& b) const {
+  constexpr double kGrowth = 1.25;  // ours: a pair is looked at some three times while what was seen of it doubles
+  if (pair.looked_at == 0) return true;
+  const double way = a.motion->way() + b.motion->way();
+  return a.motion->observations() + b.motion->observations() >= kGrowth * pair.observations ||
+         (way > pair.way && way >= kGrowth * pair.way);
+}
+
+void FrontPairs::update(const std::vector<Track>& tracks, const std::vector<LearnedModel>& models) {
+  refuted_.reset();
+  ++updates_;
+  const std::vector<Front> fronts = moved(tracks, models);
   Pair* due = nullptr;
   Front child{}, parent{};
-  for (const Front& a : moved) {
-    for (const Front& b : moved) {
+  for (const Front& a : fronts) {
+    for (const Front& b : fronts) {
       if (a.track == b.track || !isJoint(*b.model) || b.model->type == JointType::kNonparametric) continue;
+      if (gapBetween(b.track->observations.back().rectangle, a.track->observations.back().rectangle) > structure_.near) continue;
       const Ids ids(a.model->id, b.model->id);
       if (pairs_.count(ids) == 0 && pairs_.size() >= static_cast<std::size_t>(structure_.most_pairs)) continue;
       Pair& pair = pairs_[ids];
-      const auto observations = static_cast<double>(a.track->observations.size() + b.track->observations.size());
-      if (pair.looked_at > 0 && observations < kGrowth * static_cast<double>(pair.observations)) continue;
-      if (gapBetween(b.track->observations.back().rectangle, a.track->observations.back().rectangle) > structure_.near) continue;
-      if (due != nullptr && pair.looked_at >= due->looked_at) continue;
+      if (!isDue(pair, a, b) || (due != nullptr && pair.looked_at >= due->looked_at)) continue;
       due = &pair;
       child = a;
       parent = b;
     }
   }
-  if (due == nullptr) return forgetOthers(models);
-  const bool was_likely = due->likely;
-  look(child, parent, due);
-  due->looked_at = updates_;
-  due->observations = child.track->observations.size() + parent.track->observations.size();
-  if (was_likely && !due->likely) refuted_.push_back(child.model->id);
+  if (due != nullptr) {
+    const bool was_likely = due->likely;
+    const std::optional<double> evidence = look(child, parent, due);
+    due->looked_at = updates_;
+    due->observations = child.motion->observations() + parent.motion->observations();
+    due->way = child.motion->way() + parent.motion->way();
+    if (evidence && !due->likely) refuted_ = UnlikelyEdge{child.model->id, parent.model->id, *evidence, was_likely};
+  }
   forgetOthers(models);
   noteCoupled();
 }
@@ -127,6 +143,8 @@ void FrontPairs::forgetOthers(const std::vector<LearnedModel>& models) {
     const bool in_view = ids.count(pair->first.first) > 0 && ids.count(pair->first.second) > 0;
     pair = in_view ? std::next(pair) : pairs_.erase(pair);
   }
+  for (auto motion = motions_.begin(); motion != motions_.end();)
+    motion = ids.count(motion->first) > 0 ? std::next(motion) : motions_.erase(motion);
 }
 
 std::vector<LikelyEdge> FrontPairs::edges() const {
@@ -159,6 +177,8 @@ std::optional<double> FrontPairs::ratio(std::uint32_t child, std::uint32_t paren
 void FrontPairs::forget(std::uint32_t id) {
   for (auto pair = pairs_.begin(); pair != pairs_.end();)
     pair = pair->first.first == id || pair->first.second == id ? pairs_.erase(pair) : std::next(pair);
+  motions_.erase(id);
+  noteCoupled();
 }
 
 }  // namespace cabinet_articulation::core

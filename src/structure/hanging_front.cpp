@@ -5,8 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "structure/carrier_path.h"
+#include "structure/seen_motion.h"
 #include "structure/track_pair.h"
 
 namespace cabinet_articulation::core {
@@ -18,8 +20,7 @@ constexpr double kSameJoint = 0.003;  ///< [m] sigma_plane: less is within the n
 bool isSameJoint(const LearnedModel& a, const LearnedModel& b) {
   for (const double q : {b.q_min, (b.q_min + b.q_max) / 2, b.q_max}) {
     const Rectangle front = frontAt(b, q), same = frontAt(a, a.configuration(front.pose));
-    for (std::size_t i = 0; i < 4; ++i)
-      if ((front.corners()[i] - same.corners()[i]).norm() > kSameJoint) return false;
+    if (distanceOfCorners(front, same) > kSameJoint) return false;
   }
   return true;
 }

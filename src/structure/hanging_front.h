@@ -9,10 +9,6 @@
 
 namespace cabinet_articulation::core {
 
-/// Name of the parameter that says that a front has one degree of freedom with what it hangs on: by how much its q grows with
-/// that of the parent.
-constexpr char kCoupledRatio[] = "coupled_ratio";
-
 /// A front that hangs on another one: its track as seen from there, and the joint that was learned from it.
 class HangingFront {
  public:
@@ -20,6 +16,12 @@ class HangingFront {
       : parent_(parent), probability_(probability), pause_(pause) {}
 
   std::uint32_t parent() const { return parent_; }
+  double probability() const { return probability_; }
+
+  /// Whether the parent is known to be a joint. While it is none, nobody can tell where its frame is.
+  bool isPlaceable() const { return is_placeable_; }
+  void setPlaceable(bool is_placeable) { is_placeable_ = is_placeable; }
+
   void setProbability(double probability) { probability_ = probability; }
 
   /// Both tracks as they are now. `carrier_joint` is how the parent moves in the world. A parent that is known better by now
@@ -40,6 +42,7 @@ class HangingFront {
  private:
   std::uint32_t parent_;
   double probability_, pause_;
+  bool is_placeable_ = true;
   std::optional<LearnedModel> carrier_joint_;  ///< that `seen_` was placed by
   Track seen_;
   std::uint32_t revisions_ = 0;  ///< of the carrier's joint

@@ -2,6 +2,7 @@
 #include "cabinet_articulation/structure/structure_finder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "structure/front_pairs.h"
 #include "structure/hanging_front.h"
@@ -24,6 +26,16 @@ struct StructureFinder::State {
   State(const ArticulationConfig& articulation, const StructureConfig& structure)
       : pairs(articulation, structure), relative(articulation) {}
 
+  std::map<std::uint32_t, HangingFront>::iterator unhang(std::map<std::uint32_t, HangingFront>::iterator front) {
+    relative.forget(front->first);
+    return hanging.erase(front);
+  }
+
+  void unhang(std::uint32_t id) {
+    const auto front = hanging.find(id);
+    if (front != hanging.end()) unhang(front);
+  }
+
   FrontPairs pairs;
   std::map<std::uint32_t, HangingFront> hanging;  ///< by the child's id
   ArticulationLearner relative;                   ///< of joints in the frames of what they hang on
@@ -36,13 +48,16 @@ const Track* trackOf(std::uint32_t id, const std::vector<Track>& tracks) {
   return found == tracks.end() ? nullptr : &*found;
 }
 
-const LearnedModel* modelOf(std::uint32_t id, const std::vector<LearnedModel>& models) {
-  const auto found = std::find_if(models.begin(), models.end(), [id](const LearnedModel& model) { return model.id == id; });
-  return found == models.end() ? nullptr : &*found;
-}
-
 bool isParent(std::uint32_t id, const std::map<std::uint32_t, HangingFront>& hanging) {
   return std::any_of(hanging.begin(), hanging.end(), [id](const auto& entry) { return entry.second.parent() == id; });
+}
+
+/// What this run's observations made likely they can refute. What an earlier run told outweighs them by its own odds, but by no
+/// more than the world is preferred by.
+bool isRefuted(const HangingFront& front, const UnlikelyEdge& edge, double hanging_odds) {
+  if (front.parent() != edge.parent) return false;
+  const double odds = front.probability() / std::max(hanging_odds, 1 - front.probability());
+  return edge.was_likely || edge.evidence + std::log(odds) < 0;
 }
 
 /// The clearest first. What carries another hangs on the world, so that there is no cycle.
@@ -69,25 +84,29 @@ StructureFinder::~StructureFinder() = default;
 
 void StructureFinder::complete(const std::vector<Track>& tracks, std::vector<LearnedModel>* models) {
   std::map<std::uint32_t, HangingFront>& hanging = state_->hanging;
-  state_->pairs.update(tracks, *models);
-  for (const std::uint32_t child : state_->pairs.refuted()) hanging.erase(child);
+  if (structure_.hanging) state_->pairs.update(tracks, *models);
+  if (const std::optional<UnlikelyEdge>& edge = state_->pairs.refuted()) {
+    const auto front = hanging.find(edge->child);
+    if (front != hanging.end() && isRefuted(front->second, *edge, structure_.hanging_odds)) state_->unhang(front);
+  }
   hangUp(state_->pairs.edges(), structure_.pause, &hanging);
   for (auto front = hanging.begin(); hanging.size() > kMostHanging && front != hanging.end();)
-    front = trackOf(front->first, tracks) == nullptr ? hanging.erase(front) : std::next(front);
+    front = trackOf(front->first, tracks) == nullptr ? state_->unhang(front) : std::next(front);
   std::vector<Track> relative;
   for (auto& [id, front] : hanging) {
     const Track *track = trackOf(id, tracks), *carrier = trackOf(front.parent(), tracks);
-    const LearnedModel* joint = modelOf(front.parent(), *models);
+    const LearnedModel* joint = findModel(front.parent(), *models);
+    if (joint != nullptr) front.setPlaceable(isJoint(*joint));
     if (track != nullptr && carrier != nullptr && joint != nullptr) front.follow(*track, *carrier, *joint);
-    if (track != nullptr && !front.seen().observations.empty()) relative.push_back(front.seen());
+    if (track != nullptr && front.isPlaceable() && !front.seen().observations.empty()) relative.push_back(front.seen());
   }
   for (const LearnedModel& model : state_->relative.process(relative)) hanging.at(model.id).learn(model);
   for (LearnedModel& model : *models) {
     const auto front = hanging.find(model.id);
     if (front == hanging.end()) continue;
     if (isGivenUp(front->second.joint()))
-      hanging.erase(front);
-    else if (isJoint(front->second.joint()))
+      state_->unhang(front);
+    else if (front->second.isPlaceable() && isJoint(front->second.joint()))
       model = front->second.describe(state_->pairs.ratio(model.id, front->second.parent()));
   }
 }
@@ -95,7 +114,7 @@ void StructureFinder::complete(const std::vector<Track>& tracks, std::vector<Lea
 void StructureFinder::remember(const std::vector<LearnedModel>& joints) {
   std::vector<LearnedModel> relative;
   for (const LearnedModel& joint : joints) {
-    state_->hanging.erase(joint.id);
+    state_->unhang(joint.id);
     if (joint.parent == 0) continue;
     HangingFront front(joint.parent, joint.parent_probability, structure_.pause);
     front.learn(joint);
@@ -107,16 +126,9 @@ void StructureFinder::remember(const std::vector<LearnedModel>& joints) {
 
 void StructureFinder::forget(std::uint32_t id) {
   state_->pairs.forget(id);
-  state_->relative.forget(id);
-  state_->hanging.erase(id);
-  for (auto front = state_->hanging.begin(); front != state_->hanging.end();) {
-    if (front->second.parent() == id) {
-      state_->relative.forget(front->first);
-      front = state_->hanging.erase(front);
-    } else {
-      ++front;
-    }
-  }
+  state_->unhang(id);
+  for (auto front = state_->hanging.begin(); front != state_->hanging.end();)
+    front = front->second.parent() == id ? state_->unhang(front) : std::next(front);
 }
 
 void StructureFinder::reset() { state_ = std::make_unique<State>(config_, structure_); }

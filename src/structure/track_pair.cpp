@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "closing/closed_place.h"
-#include "joints/front_merge.h"
+#include "joints/front_place.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -83,7 +83,8 @@ TrackPair relativeTo(const CarrierPath& carrier, const Track& child) {
 
 void addSeenAsPart(const CarrierPath& carrier, const Track& carrier_track, const LearnedModel& joint, double margin,
                    TrackPair* pair) {
-  constexpr double kOnItsOwn = 0.5;  // [s] around an observation of its own the child is told apart
+  constexpr double kOnItsOwn =
+      0.5;  // [s] around an observation of its own the child is told apart (ours: a detector misses some frames of a front)
   const std::optional<Rectangle> closed = closedIn(carrier, pair->world, joint, margin);
   if (!closed) return;
   std::vector<double> seen;

@@ -16,7 +16,8 @@ void add(const std::string& folder, const PipelineConfig& pipeline, const std::s
   file("planes", pipeline.planes, "Planes, connected regions and their masks.", values);
   file("rectangles", pipeline.rectangles, "Rectangular fronts in the plane regions.", values);
   file("tracking", pipeline.tracking, "Rectangles over time.", values);
-  file("articulation", LearningConfig{pipeline.articulation, pipeline.kinds}, "How each front moves.", values);
+  file("articulation", LearningConfig{pipeline.articulation, pipeline.kinds, pipeline.structure}, "How each front moves.",
+       values);
   file("simulation", SimulationConfig(), "The simulated active stereo camera.", "its default");
 }
 

@@ -3,103 +3,21 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <map>
-#include <random>
 #include <string>
 
-#include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/joints/hanging.h"
-#include "cabinet_articulation/simulation/simulated_stereo_camera.h"
+#include "structure/detections.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-SimulationConfig configOf(const std::string& scene, int seed) {
-  SimulationConfig config;
-  config.scene = scene;
-  config.scene_seed = seed;
-  return config;
-}
-
-/// The truth of a scene in the world, as a detector would see it. Ids count from 1 in the order of the scene's joints.
-class Detections {
- public:
-  Detections(const std::string& scene, int seed) : camera_(configOf(scene, seed)), random_(static_cast<unsigned>(seed)) {
-    for (const FrontTruth& front : camera_.truth(0).joints) {
-      Track track;
-      track.id = static_cast<std::uint32_t>(tracks_.size() + 1);
-      track.width = front.rectangle.width;
-      track.height = front.rectangle.height;
-      tracks_.push_back(track);
-    }
-  }
-
-  int frameCount() const { return camera_.frameCount(); }
-
-  const std::vector<Track>& see(int frame) {
-    const GroundTruth truth = camera_.truth(frame);
-    for (std::size_t i = 0; i < tracks_.size(); ++i) {
-      if (std::uniform_real_distribution<double>()(random_) < 0.1) continue;  // not detected
-      TrackedObservation observation;
-      observation.stamp = 100 + truth.time;
-      observation.rectangle = truth.joints[i].rectangle;
-      observation.rectangle.pose = truth.T_world_camera * observation.rectangle.pose;
-      observation.rectangle.pose.pretranslate(kPosition * noise());
-      const Eigen::Vector3d turn = kOrientation * noise();
-      observation.rectangle.pose.rotate(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
-      observation.covariance.diagonal() << Eigen::Vector3d::Constant(kPosition * kPosition),
-          Eigen::Vector3d::Constant(kOrientation * kOrientation);
-      observation.measured = observation.rectangle;
-      observation.measured_covariance = observation.covariance;
-      tracks_[i].observations.push_back(observation);
-    }
-    return tracks_;
-  }
-
- private:
-  static constexpr double kPosition = 0.002, kOrientation = 0.006;  ///< [m], [rad]
-
-  Eigen::Vector3d noise() { return {normal_(random_), normal_(random_), normal_(random_)}; }
-
-  SimulatedStereoCamera camera_;
-  std::mt19937 random_;
-  std::normal_distribution<double> normal_;
-  std::vector<Track> tracks_;
-};
-
-struct Learned {
-  std::vector<LearnedModel> models;
-  std::vector<CoupledFronts> coupled;
-  double longest = 0;  ///< [s] that one update of the structure took
-};
-
-Learned learn(const std::string& scene, int seed, StructureFinder* finder) {
-  Detections detections(scene, seed);
-  ArticulationLearner learner{ArticulationConfig()};
-  Learned learned;
-  for (int frame = 0; frame < detections.frameCount(); ++frame) {
-    const std::vector<Track>& tracks = detections.see(frame);
-    learned.models = learner.process(tracks);
-    const auto start = std::chrono::steady_clock::now();
-    finder->complete(tracks, &learned.models);
-    learned.longest = std::max(learned.longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  learned.coupled = finder->coupled();
-  return learned;
-}
-
-Learned learn(const std::string& scene, int seed = 1) {
-  StructureFinder finder{ArticulationConfig()};
-  return learn(scene, seed, &finder);
-}
-
-std::vector<std::uint32_t> parents(const std::vector<LearnedModel>& models) {
-  std::vector<std::uint32_t> parents;
-  for (const LearnedModel& model : models) parents.push_back(model.parent);
-  return parents;
-}
+using test::configOf;
+using test::Detections;
+using test::learn;
+using test::Learned;
+using test::parents;
+using test::Parents;
 
 /// [m] The mean error of the front's centre over the whole range, with the parent wherever it is.
 double predictionError(const std::string& scene, int seed, const std::vector<LearnedModel>& models, std::size_t front) {
@@ -116,8 +34,6 @@ double predictionError(const std::string& scene, int seed, const std::vector<Lea
   }
   return sum / camera.frameCount();
 }
-
-using Parents = std::vector<std::uint32_t>;
 
 constexpr double kLongestUpdate = 0.5;  ///< [s] measured: 0.04; a machine may be busy
 

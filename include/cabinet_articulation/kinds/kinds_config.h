@@ -3,6 +3,7 @@
 
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/config/config.h"
+#include "cabinet_articulation/config/structure_config.h"
 
 namespace cabinet_articulation::core {
 
@@ -39,11 +40,13 @@ struct KindsConfig {
 struct LearningConfig {
   ArticulationConfig articulation;
   KindsConfig kinds;
+  StructureConfig structure;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     ArticulationConfig::fields(self.articulation, visit);
     KindsConfig::fields(self.kinds, visit);
+    StructureConfig::fields(self.structure, visit);
   }
 };
 

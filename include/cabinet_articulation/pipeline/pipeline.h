@@ -31,7 +31,8 @@ struct PipelineConfig {
   RectanglesConfig rectangles;
   TrackingConfig tracking;
   ArticulationConfig articulation;
-  KindsConfig kinds;  ///< in articulation.yaml too
+  KindsConfig kinds;          ///< in articulation.yaml too
+  StructureConfig structure;  ///< in articulation.yaml too
 
   /// Reads <directory>/{stereo,planes,rectangles,tracking,articulation}.yaml; a missing file keeps that stage's defaults.
   /// Throws ConfigError, also when there is no such directory; warnings about unknown keys are appended.

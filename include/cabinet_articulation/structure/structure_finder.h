@@ -7,7 +7,7 @@
 
 #include "cabinet_articulation/articulation/articulation_config.h"
 #include "cabinet_articulation/articulation/learned_model.h"
-#include "cabinet_articulation/structure/structure_config.h"
+#include "cabinet_articulation/config/structure_config.h"
 #include "cabinet_articulation/tracking/track.h"
 
 namespace cabinet_articulation::core {
@@ -25,7 +25,7 @@ struct CoupledFronts {
  * one degree of freedom. Residuals count for as many as are independent. The prior prefers the world.
  *
  * Only where the other front moved do the two differ. So pairs are looked at that are near, of which one is a joint and the other
- * moved, at once or in turn. Each update looks at one pair, whose observations have grown by a quarter since.
+ * moved, at once or in turn. Each update looks at one pair, of which a quarter more was seen since: observations, or way.
  *
  * A flush front cannot be told from what surrounds it while it is closed. Where it closes into the plane of another front and
  * lies within its outline, it is taken for a part of that. Then it moved along whenever that did.
@@ -36,6 +36,7 @@ class StructureFinder {
   ~StructureFinder();
 
   /// The models of these tracks, as they were learned in the world. Those that hang on another front become joints in its frame.
+  /// While that is in view and no joint, they stay as they are.
   void complete(const std::vector<Track>& tracks, std::vector<LearnedModel>* models);
 
   /// Joints of an earlier run. Those that hang on others do so until observations contradict.
