@@ -10,7 +10,7 @@ namespace cabinet_articulation::core {
 
 /// Terms of the bend: the products of two Legendre polynomials of total degree 2 to 4. Degrees 0 and 1 cannot be told from a
 /// plane.
-constexpr int kBendTerms = 12;
+constexpr int kBendTerms = 12;                            // 3 + 4 + 5 of degrees 2, 3 and 4
 using BendVector = Eigen::Matrix<double, kBendTerms, 1>;  ///< [px] one factor for each term
 using BendMatrix = Eigen::Matrix<double, kBendTerms, kBendTerms>;
 

@@ -25,6 +25,7 @@ void BendCorrection::prepare(cv::Size size, const BendVector& bend) {
   if (!is_drawn) basis_ = BendBasis(size);
   bend_ = bend;
   basis_.draw(bend, &image_);
+  largest_ = image_.empty() ? 0 : cv::norm(image_, cv::NORM_INF);
 }
 
 }  // namespace cabinet_articulation::core

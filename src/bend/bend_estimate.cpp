@@ -10,7 +10,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kLeastViews = 4 * kBendTerms;  ///< ours: before a camera at rest, one door that turns gives up to 26 (measured)
-constexpr double kSignificance = 3.09;       ///< standard deviations that chance exceeds once in a thousand times
+constexpr double kSignificance = 3.09;       ///< Gaussian quantile: exceeded by chance once in a thousand times
 constexpr double kLargest = 1;       ///< [px] sigma of a term before any view (ours: a PrimeSense bends by 0.75 px at most)
 constexpr double kRounding = 0.036;  ///< [px] sigma of disparities in steps of 1/8 px (PrimeSense), the least noise there is
 constexpr double kPlane = 3;         ///< unknowns of a view's plane

@@ -29,7 +29,7 @@ void SensorBend::startFrom(const KnownBend& earlier) {
   camera_ = earlier.camera;
   bend_ = earlier.bend;
   earlier_views_ = std::min(earlier.views, kMostViews);
-  largest_ = largestOf(bend_, {camera_.width, camera_.height});
+  correction_.prepare({camera_.width, camera_.height}, bend_);
 }
 
 DepthFrame SensorBend::correct(const DepthFrame& frame) {
@@ -47,7 +47,7 @@ void SensorBend::learn(const DepthFrame& frame, const std::vector<PlaneRegion>& 
   if (!is_new || views_.size() < earlier_views_) return;
   earlier_views_ = 0;
   bend_ = estimateBend(views_);
-  largest_ = largestOf(bend_, frame.disparity.size());
+  if (isKnown()) correction_.prepare(frame.disparity.size(), bend_);
 }
 
 void SensorBend::follow(const StereoCamera& camera) {
@@ -57,7 +57,6 @@ void SensorBend::follow(const StereoCamera& camera) {
   oldest_ = 0;
   earlier_views_ = 0;
   bend_.setZero();
-  largest_ = 0;
 }
 
 /// A sight that was seen before counts if much more of it is seen now, and then in place of what was seen before.
@@ -85,14 +84,8 @@ std::string SensorBend::inWords() const {
   const std::string from = std::to_string(views()) + " views of large surfaces";
   if (!isKnown()) return "no bend of the depth is known from " + from;
   char text[32];
-  std::snprintf(text, sizeof(text), "%.2f px", largest_);
+  std::snprintf(text, sizeof(text), "%.2f px", largest());
   return "the depth is corrected by up to " + std::string(text) + ", known from " + from;
-}
-
-double largestOf(const BendVector& bend, cv::Size size) {
-  cv::Mat1f image;
-  BendBasis(size).draw(bend, &image);
-  return image.empty() ? 0 : cv::norm(image, cv::NORM_INF);
 }
 
 }  // namespace cabinet_articulation::core

@@ -47,7 +47,7 @@ class SensorBend {
   bool isOwn() const { return earlier_views_ == 0; }
 
   /// [px] anywhere in the image.
-  double largest() const { return largest_; }
+  double largest() const { return isKnown() ? correction_.largest() : 0; }
 
   std::size_t views() const { return std::max(views_.size(), earlier_views_); }
 
@@ -67,10 +67,6 @@ class SensorBend {
   std::size_t oldest_ = 0;         ///< the view that is replaced next, once there are as many as may be
   std::size_t earlier_views_ = 0;  ///< of an earlier run that knows more than this one
   BendVector bend_ = BendVector::Zero();
-  double largest_ = 0;  ///< [px] of the bend
 };
-
-/// [px] the largest that a bend is anywhere.
-double largestOf(const BendVector& bend, cv::Size size);
 
 }  // namespace cabinet_articulation::core

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/live_models.h"
 
-#include <algorithm>
 #include <exception>
 
 #include "bridge/original_model.h"
@@ -46,9 +45,8 @@ std::vector<ModelMsg> originalModels(const ArticulationModelArray& models, const
                                      std::string* left_out) {
   std::vector<ModelMsg> messages;
   for (const core::LearnedModel& model : core::allPlaced(usableModels(models, left_out))) {
-    const auto is_its = [&](const core::Track& track) { return track.id == model.id; };
-    const auto track = std::find_if(tracks.begin(), tracks.end(), is_its);
-    if (track == tracks.end()) continue;
+    const core::Track* track = core::findTrack(model.id, tracks);
+    if (track == nullptr) continue;
     try {
       messages.push_back(modelOf(asLearned(model), *track, models.header.frame_id));
     } catch (const std::exception& error) {

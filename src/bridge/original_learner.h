@@ -14,7 +14,7 @@
 namespace cabinet_articulation::bridge {
 
 /// [poses] of all fits for one answer, which come one after another. With the default types these take 2 s in fits to 80 poses
-/// each, and 1 s in longer ones (measured on 1000 and 100 stored doors, and on 190 pairs of parts).
+/// each, and 1 s in longer ones. Measured on 1000 and 100 stored doors, and on 190 pairs of parts.
 constexpr std::size_t kMostFittedPoses = 200000;
 
 /// Throws std::invalid_argument for more poses than that; `what` takes the fits.

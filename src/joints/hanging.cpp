@@ -6,6 +6,8 @@
 #include <iterator>
 #include <set>
 
+#include "geometry/turned_covariance.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -35,15 +37,18 @@ const LearnedModel* findModel(std::uint32_t id, const std::vector<LearnedModel>&
   return found == models.end() ? nullptr : &*found;
 }
 
+void removeCoupledRatio(LearnedModel* model) {
+  const auto is_ratio = [](const ModelParam& param) { return param.name == kCoupledRatio; };
+  model->params.erase(std::remove_if(model->params.begin(), model->params.end(), is_ratio), model->params.end());
+}
+
 LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_target_source) {
   LearnedModel result = model;
   result.origin = T_target_source * model.origin;
   result.axis = T_target_source.linear() * model.axis;
   result.axis_point = T_target_source * model.axis_point;
   for (Eigen::Isometry3d& pose : result.curve) pose = T_target_source * pose;
-  Matrix6d turn = Matrix6d::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_target_source.linear();
-  result.covariance = turn * model.covariance * turn.transpose();
+  result.covariance = turned(model.covariance, T_target_source.linear());
   return result;
 }
 
@@ -95,8 +100,7 @@ LearnedModel setDown(const LearnedModel& model, const std::vector<LearnedModel>&
   LearnedModel result = placed(model, all);
   result.parent = 0;
   result.parent_probability = LearnedModel().parent_probability;
-  const auto is_ratio = [](const ModelParam& param) { return param.name == kCoupledRatio; };
-  result.params.erase(std::remove_if(result.params.begin(), result.params.end(), is_ratio), result.params.end());
+  removeCoupledRatio(&result);
   return result;
 }
 

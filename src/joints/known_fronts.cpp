@@ -80,8 +80,7 @@ void KnownFronts::update(const std::vector<LearnedModel>& models) {
 }
 
 const Track* KnownFronts::trackOf(std::uint32_t id) const {
-  for (const Track& track : tracks_.tracks())
-    if (track.id == id) return &track;
+  if (const Track* live = findTrack(id, tracks_.tracks())) return live;
   const auto ended = ended_.find(id);
   return ended == ended_.end() ? nullptr : &ended->second;
 }

@@ -10,8 +10,8 @@
 
 namespace cabinet_articulation::core {
 
-/// The sides of the fronts of one kind: their logarithms are normal about a mean that is anywhere beforehand, with a variance
-/// that is inverse gamma about the spread of `config` (as those of shapes, see JointKind). Fronts of unknown size do not count.
+/// The sides of the fronts of one kind. Their logarithms are normal about a mean that is anywhere beforehand. The variance is
+/// inverse gamma about the spread of `config`, as those of shapes (JointKind). Fronts of unknown size do not count.
 class FrontSides {
  public:
   FrontSides(const std::vector<JointShape>& shapes, const KindsConfig& config);

@@ -27,8 +27,8 @@ struct KindWeights {
   double any = 0;             ///< [nats] of one rectangle of any size
 };
 
-/// Kinds count by their joints (Chinese restaurant process), and by how well they tell the front's size. Those of a new kind may
-/// be as large as those of any known one, so that a size speaks against kinds that do not have it, and for none. A side of 0 is
+/// Kinds count by their joints (Chinese restaurant process), and by how well they tell the front's size. Fronts of a new kind may
+/// be as large as those of any known one. So a size speaks against kinds that do not have it, and for none. A side of 0 is
 /// unknown.
 KindWeights weightsOf(const std::vector<JointKind>& kinds, double width, double height);
 

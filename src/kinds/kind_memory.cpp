@@ -20,7 +20,7 @@ bool isSeenWhole(const Track& track, double edge_support_min) {
   for (const TrackedObservation& observation : track.observations)
     for (std::size_t edge = 0; edge < sums.size(); ++edge) sums[edge] += observation.edge_support[edge];
   const double least = edge_support_min * static_cast<double>(track.observations.size());
-  return std::all_of(sums.begin(), sums.end(), [least](double sum) { return sum >= least; });
+  return !track.observations.empty() && std::all_of(sums.begin(), sums.end(), [least](double sum) { return sum >= least; });
 }
 
 /// The answer that `ask` gives for the upright front, for the front as it is described.
@@ -35,11 +35,6 @@ LearnedModel askedUpright(const LearnedModel& front, const Ask& ask) {
   answer.width = front.width;
   answer.height = front.height;
   return answer;
-}
-
-const Track* trackOf(std::uint32_t id, const std::vector<Track>& tracks) {
-  const auto found = std::find_if(tracks.begin(), tracks.end(), [id](const Track& track) { return track.id == id; });
-  return found == tracks.end() || found->observations.empty() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -89,7 +84,7 @@ void KindMemory::complete(const std::vector<Track>& tracks, std::vector<LearnedM
   const auto at_rest = static_cast<std::size_t>(std::count_if(models->begin(), models->end(), isAtRest));
   const auto expect = [at_rest](const JointKinds& others, const LearnedModel& front) { return others.expect(front, at_rest); };
   for (LearnedModel& model : *models) {
-    const Track* track = trackOf(model.id, tracks);
+    const Track* track = findTrack(model.id, tracks);
     if (!isAtRest(model))
       model = told(model);
     else if (track != nullptr && isSeenWhole(*track, config_.articulation.edge_support_min))

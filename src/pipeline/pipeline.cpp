@@ -10,6 +10,7 @@
 #include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
 #include "geometry/message_precision.h"
+#include "geometry/turned_covariance.h"
 #include "kinds/kind_memory.h"
 #include "pipeline/as_sent.h"
 
@@ -154,12 +155,10 @@ std::vector<Rectangle> expectedInCamera(const ExpectedFronts& fronts, double sta
 
 std::vector<DetectedRectangle> transformed(const std::vector<DetectedRectangle>& rectangles,
                                            const Eigen::Isometry3d& T_fixed_camera) {
-  Matrix6d turn = Matrix6d::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_fixed_camera.linear();
   std::vector<DetectedRectangle> result = rectangles;
   for (DetectedRectangle& detection : result) {
     detection.rectangle.pose = T_fixed_camera * detection.rectangle.pose;
-    detection.covariance = turn * detection.covariance * turn.transpose();
+    detection.covariance = turned(detection.covariance, T_fixed_camera.linear());
   }
   return result;
 }

@@ -24,8 +24,8 @@ struct Fold {
 class FoldSearch {
  public:
   /// The two planes that explain the region's cells best. Nothing unless they do so significantly better than one plane
-  /// does, and stand apart, on both sides of the line where they meet, by more than the calibration of a pair (`is_pair`) or
-  /// of a depth camera bends a plane.
+  /// does. They must also stand apart on both sides of the line where they meet, by more than a calibration bends a plane: that
+  /// of a pair (`is_pair`), or that of a depth camera.
   std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, bool is_pair);
 
   /// Whether a cell is on the last fold's first surface, or so near to it that blocks do not tell.

@@ -5,9 +5,9 @@
 #include <rviz/properties/float_property.h>
 #include <rviz/properties/ros_topic_property.h>
 
-#include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
-#include <stdexcept>
+
+#include "cabinet_articulation/joints/hanging.h"
 
 namespace cabinet_articulation {
 
@@ -47,24 +47,16 @@ void FrontsDisplay::onInitialize() {
 
 void FrontsDisplay::subscribe() {
   rectangles_input_.subscribe(update_nh_, rectangles_topic_->getTopicStd(), [this](const RectangleArray& message) {
-    try {
+    takeOrRefuse(kRefusedRectangles, [&] {
       rectangles_ = fromMessage(message);
       rectangles_header_ = message.header;
-      deleteStatus(kRefusedRectangles);
-      changed();
-    } catch (const std::invalid_argument& error) {
-      setStatus(StatusProperty::Error, kRefusedRectangles, error.what());
-    }
+    });
   });
   tracks_input_.subscribe(update_nh_, tracks_topic_->getTopicStd(), [this](const TrackArray& message) {
-    try {
+    takeOrRefuse(kRefusedTracks, [&] {
       tracks_.add(fromMessage(message));
       tracks_header_ = message.header;
-      deleteStatus(kRefusedTracks);
-      changed();
-    } catch (const std::invalid_argument& error) {
-      setStatus(StatusProperty::Error, kRefusedTracks, error.what());
-    }
+    });
   });
   models_input_.subscribe(update_nh_, models_topic_->getTopicStd(), [this](const ArticulationModelArray& message) {
     std::string left_out;
@@ -99,9 +91,7 @@ void FrontsDisplay::forgetTracks() {
 }
 
 const core::LearnedModel* FrontsDisplay::modelOf(const core::Track& track) const {
-  if (models_frame_ != tracks_header_.frame_id) return nullptr;
-  const auto model = std::find_if(models_.begin(), models_.end(), [&](const auto& other) { return other.id == track.id; });
-  return model == models_.end() ? nullptr : &*model;
+  return models_frame_ == tracks_header_.frame_id ? core::findModel(track.id, models_) : nullptr;
 }
 
 TrackStyle FrontsDisplay::trackStyle() const {

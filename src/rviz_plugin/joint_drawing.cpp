@@ -42,10 +42,9 @@ std::vector<core::Rectangle> ghostsOf(const core::LearnedModel& model, const std
   if (!style.at_observations) return sweepOf(model, style.ghosts - 1);
   // Where the parent was when the front was seen is not known here.
   if (model.parent != 0) return {};
-  const auto track =
-      std::find_if(tracks.begin(), tracks.end(), [&](const core::Track& candidate) { return candidate.id == model.id; });
+  const core::Track* track = core::findTrack(model.id, tracks);
   std::vector<core::Rectangle> ghosts;
-  if (track == tracks.end()) return ghosts;
+  if (track == nullptr) return ghosts;
   const std::size_t seen = track->observations.size(), most = static_cast<std::size_t>(style.ghosts);
   const std::size_t step = (seen + most - 1) / most;
   for (std::size_t i = 0; i < seen; i += step)

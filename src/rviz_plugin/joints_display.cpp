@@ -8,7 +8,6 @@
 #include <rviz/properties/ros_topic_property.h>
 
 #include <pluginlib/class_list_macros.hpp>
-#include <stdexcept>
 
 #include "cabinet_articulation/joints/hanging.h"
 #include "rviz_plugin/joint_table.h"
@@ -78,14 +77,10 @@ void JointsDisplay::take(const ArticulationModelArray& message) {
 }
 
 void JointsDisplay::take(const TrackArray& message) {
-  try {
+  takeOrRefuse(kRefusedTracks, [&] {
     tracks_.add(fromMessage(message));
     tracks_frame_ = message.header.frame_id;
-    deleteStatus(kRefusedTracks);
-    changed();
-  } catch (const std::invalid_argument& error) {
-    setStatus(StatusProperty::Error, kRefusedTracks, error.what());
-  }
+  });
 }
 
 void JointsDisplay::forget() {

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace cabinet_articulation {
-
 namespace {
 
 constexpr std::chrono::seconds kPatience{10};  ///< ours: a pipeline answers between two frames, within a second or so

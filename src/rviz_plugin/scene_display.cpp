@@ -9,6 +9,7 @@
 #include <rviz/properties/ros_topic_property.h>
 
 namespace cabinet_articulation {
+
 SceneDisplay::SceneDisplay() {
   color_by_ = new rviz::EnumProperty("Color", "Id", "What the colour tells.", this, SLOT(changed()), this);
   color_by_->addOption("Id", static_cast<int>(ColorBy::kId));

@@ -5,6 +5,7 @@
 #include <std_msgs/Header.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "rviz_plugin/display_colors.h"
@@ -50,6 +51,18 @@ class SceneDisplay : public rviz::Display {
   ColorBy colorBy() const;
   LineStyle lineStyle() const;
   double timeout() const;
+
+  /// Takes a message. What it throws is said under the name `status`, until the next one is taken.
+  template <class Take>
+  void takeOrRefuse(const QString& status, const Take& take) {
+    try {
+      take();
+      deleteStatus(status);
+      changed();
+    } catch (const std::invalid_argument& error) {
+      setStatus(rviz::StatusProperty::Error, status, error.what());
+    }
+  }
 
   /// Puts a drawing where its frame is, and hides it where tf does not know. Tries the time of the header first and then the
   /// newest transform, so that nothing flickers while tf is late. `status` is the name under which it says what is missing.

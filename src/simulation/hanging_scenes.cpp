@@ -13,9 +13,11 @@ constexpr double kTopThickness = 0.022;
 
 double randomGap(cv::RNG* random) { return random->uniform(0.003, 0.004); }
 
-/// From a little to one side, above the fronts.
-void look(double distance, double azimuth, double elevation, Scene* scene) {
-  scene->view_point = viewPoint(scene->view_target, distance, azimuth, elevation);
+/// From a little to one side, above the fronts; an arm comes from the same side.
+void look(const Vector3d& target, double distance, double azimuth, double elevation, Scene* scene) {
+  scene->view_target = target;
+  scene->view_point = viewPoint(target, distance, azimuth, elevation);
+  scene->shoulder = target + Vector3d(0, -0.5, 1.0);
 }
 
 }  // namespace
@@ -34,9 +36,8 @@ Scene makeBifold(cv::RNG* random) {
   builder.hangOnLastJoint();
   builder.addSecondLeaf("second_leaf", {0, width, bottom, top}, 2 * q_max);
   builder.addWallAndFloor(kWallBehind);
-  scene.view_target = {0, -0.1, (bottom + top) / 2};
-  look(random->uniform(1.45, 1.55), radians(random->uniform(-5, 5)), radians(random->uniform(22, 27)), &scene);
-  scene.shoulder = scene.view_target + Vector3d(0, -0.5, 1.0);
+  look({0, -0.1, (bottom + top) / 2}, random->uniform(1.45, 1.55), radians(random->uniform(-5, 5)),
+       radians(random->uniform(22, 27)), &scene);
   return scene;
 }
 
@@ -60,9 +61,8 @@ Scene makeTrolley(cv::RNG* random) {
   builder.addDrawer("drawer_1", {x0, x1, face, middle}, random->uniform(0.26, 0.32));
   builder.addDrawer("drawer_2", {x0, x1, middle, top}, random->uniform(0.26, 0.32));
   builder.addWallAndFloor(kWallBehind);
-  scene.view_target = {0, -0.1, (bottom + top) / 2 + 0.02};
-  look(random->uniform(1.45, 1.55), radians(random->uniform(-8, 8)), radians(random->uniform(25, 30)), &scene);
-  scene.shoulder = scene.view_target + Vector3d(0, -0.5, 1.0);
+  look({0, -0.1, (bottom + top) / 2 + 0.02}, random->uniform(1.45, 1.55), radians(random->uniform(-8, 8)),
+       radians(random->uniform(25, 30)), &scene);
   return scene;
 }
 
@@ -81,9 +81,9 @@ Scene makeCupboard(cv::RNG* random) {
   // Beside the open door, which would otherwise be in its way.
   builder.addDrawer("drawer", {x0 + 0.06, x1 - 0.03, bottom + 0.03, drawer_top}, random->uniform(0.22, 0.27), kInside);
   builder.addWallAndFloor(kWallBehind);
-  scene.view_target = {0, -0.15, (bottom + top) / 2};
-  look(random->uniform(1.4, 1.5), radians(random->uniform(4, 10)), radians(random->uniform(24, 29)), &scene);
-  scene.shoulder = scene.view_target + Vector3d(0.1, -0.5, 1.0);
+  look({0, -0.15, (bottom + top) / 2}, random->uniform(1.4, 1.5), radians(random->uniform(4, 10)),
+       radians(random->uniform(24, 29)), &scene);
+  scene.shoulder.x() += 0.1;
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "cabinet_articulation/joints/joint.h"
+#include "geometry/logistic.h"
 #include "structure/carrier_path.h"
 #include "structure/coupling.h"
 #include "structure/hanging_evidence.h"
@@ -58,8 +59,6 @@ std::optional<double> ratioOf(const CarrierPath& carrier, const Track& seen, con
   return ratioOfCoupled(q, sigma_position);
 }
 
-double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
 }  // namespace
 
 std::optional<double> FrontPairs::look(const Front& child, const Front& parent, Pair* pair) {
@@ -87,11 +86,11 @@ std::optional<double> FrontPairs::look(const Front& child, const Front& parent, 
 std::vector<FrontPairs::Front> FrontPairs::moved(const std::vector<Track>& tracks, const std::vector<LearnedModel>& models) {
   std::vector<Front> moved;
   for (const LearnedModel& model : models) {
-    const auto track = std::find_if(tracks.begin(), tracks.end(), [&](const Track& other) { return other.id == model.id; });
-    if (!model.moved || track == tracks.end() || track->observations.empty()) continue;
+    const Track* track = findTrack(model.id, tracks);
+    if (!model.moved || track == nullptr || track->observations.empty()) continue;
     SeenMotion& motion = motions_[model.id];
     motion.follow(*track, 2 * config_.sigma_position);
-    moved.push_back({&*track, &model, &motion});
+    moved.push_back({track, &model, &motion});
   }
   return moved;
 }

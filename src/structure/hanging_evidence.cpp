@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "articulation/decision/candidate.h"
+#include "articulation/fitting/residual_correlation.h"
 #include "articulation/models/known_joint.h"
 #include "articulation/observations/observation_history.h"
 #include "cabinet_articulation/articulation/articulation_learner.h"
@@ -31,7 +32,7 @@ double parametersOf(const LearnedModel& model) {
 Fit fitOf(const LearnedModel& model, const PoseSequence& poses, const ArticulationConfig& config) {
   KnownJoint joint(model, Eigen::Vector3d::Zero(), config);
   const Candidate candidate = evaluateCandidate(&joint, poses, config);
-  const double share = (1 - candidate.correlation) / (1 + candidate.correlation);
+  const double share = independentShare(candidate.correlation);
   return {candidate.log_likelihood + candidate.residuals.freedom, parametersOf(model),
           std::max(1.0, share * static_cast<double>(poses.size()))};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structure/hanging_front.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -43,9 +42,7 @@ LearnedModel HangingFront::describe(std::optional<double> ratio) const {
   model.parent_probability = probability_;
   model.closed_known = false;
   model.q_closed = model.opening = std::numeric_limits<double>::quiet_NaN();
-  model.params.erase(std::remove_if(model.params.begin(), model.params.end(),
-                                    [](const ModelParam& param) { return param.name == kCoupledRatio; }),
-                     model.params.end());
+  removeCoupledRatio(&model);
   if (ratio) model.params.push_back({kCoupledRatio, *ratio, ModelParam::kEval});
   return model;
 }

@@ -43,11 +43,6 @@ struct StructureFinder::State {
 
 namespace {
 
-const Track* trackOf(std::uint32_t id, const std::vector<Track>& tracks) {
-  const auto found = std::find_if(tracks.begin(), tracks.end(), [id](const Track& track) { return track.id == id; });
-  return found == tracks.end() ? nullptr : &*found;
-}
-
 bool isParent(std::uint32_t id, const std::map<std::uint32_t, HangingFront>& hanging) {
   return std::any_of(hanging.begin(), hanging.end(), [id](const auto& entry) { return entry.second.parent() == id; });
 }
@@ -91,10 +86,10 @@ void StructureFinder::complete(const std::vector<Track>& tracks, std::vector<Lea
   }
   hangUp(state_->pairs.edges(), structure_.pause, &hanging);
   for (auto front = hanging.begin(); hanging.size() > kMostHanging && front != hanging.end();)
-    front = trackOf(front->first, tracks) == nullptr ? state_->unhang(front) : std::next(front);
+    front = findTrack(front->first, tracks) == nullptr ? state_->unhang(front) : std::next(front);
   std::vector<Track> relative;
   for (auto& [id, front] : hanging) {
-    const Track *track = trackOf(id, tracks), *carrier = trackOf(front.parent(), tracks);
+    const Track *track = findTrack(id, tracks), *carrier = findTrack(front.parent(), tracks);
     const LearnedModel* joint = findModel(front.parent(), *models);
     if (joint != nullptr) front.setPlaceable(isJoint(*joint));
     if (track != nullptr && carrier != nullptr && joint != nullptr) front.follow(*track, *carrier, *joint);

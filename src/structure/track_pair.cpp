@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "closing/closed_place.h"
+#include "geometry/turned_covariance.h"
 #include "joints/front_place.h"
 
 namespace cabinet_articulation::core {
@@ -18,11 +19,10 @@ constexpr double kParallel = 0.1;     ///< [rad] two surfaces are one plane (mea
 
 TrackedObservation seenFrom(const Eigen::Isometry3d& T_world_carrier, const TrackedObservation& observation) {
   const Eigen::Isometry3d T_carrier_world = T_world_carrier.inverse();
-  Matrix6d turn = Matrix6d::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_carrier_world.linear();
   TrackedObservation seen = observation;
   for (Rectangle* rectangle : {&seen.rectangle, &seen.measured}) rectangle->pose = T_carrier_world * rectangle->pose;
-  for (Matrix6d* covariance : {&seen.covariance, &seen.measured_covariance}) *covariance = turn * *covariance * turn.transpose();
+  for (Matrix6d* covariance : {&seen.covariance, &seen.measured_covariance})
+    *covariance = turned(*covariance, T_carrier_world.linear());
   return seen;
 }
 

@@ -6,6 +6,7 @@
 #include "tracking/same_front.h"
 
 namespace cabinet_articulation::core {
+
 void AbandonedTracks::add(const Track& track) {
   entries_.push_back({track.id, track.revision, track.observations.back().rectangle});
   if (entries_.size() > static_cast<std::size_t>(config_.max_ended_tracks)) entries_.pop_front();
@@ -15,8 +16,7 @@ std::optional<AbandonedTracks::Entry> AbandonedTracks::take(const Rectangle& rec
   auto best = entries_.end();
   double most = 0;
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
-    const double overlap =
-        areInOnePlace(entry->rectangle, rectangle, config_) ? intersectionOverUnion(entry->rectangle, rectangle) : 0;
+    const double overlap = overlapInOnePlace(entry->rectangle, rectangle, config_);
     if (overlap > most) best = entry;
     most = std::max(most, overlap);
   }

@@ -25,7 +25,7 @@ class AbandonedTracks {
 
   void add(const Track& track);
 
-  /// The entry in the place of `rectangle` (areInOnePlace) that overlaps it most and is kept no longer, or nothing.
+  /// The entry in the place of `rectangle` (overlapInOnePlace) that overlaps it most and is kept no longer, or nothing.
   std::optional<Entry> take(const Rectangle& rectangle);
 
   bool forget(std::uint32_t id);

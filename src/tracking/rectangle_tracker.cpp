@@ -192,7 +192,7 @@ void RectangleTracker::abandonOvertaken(const Rectangle& rectangle) {
     const Track& track = live_->tracks[i];
     const TrackMemory& memory = live_->memories[i];
     if (isConfirmed(track, config_) || memory.unseen <= memory.seen) continue;
-    if (!areInOnePlace(track.observations.back().rectangle, rectangle, config_)) continue;
+    if (overlapInOnePlace(track.observations.back().rectangle, rectangle, config_) == 0) continue;
     abandoned_->add(track);
     live_->erase(track.id);
   }

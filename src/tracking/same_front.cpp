@@ -10,9 +10,8 @@
 namespace cabinet_articulation::core {
 namespace {
 
-/// [m2]
-double sharedArea(const Rectangle& a, const Rectangle& b) {
-  const double overlap = intersectionOverUnion(a, b);
+/// [m2] of two rectangles with this intersection over union.
+double sharedArea(double overlap, const Rectangle& a, const Rectangle& b) {
   return overlap / (1 + overlap) * (a.width * a.height + b.width * b.height);
 }
 
@@ -27,9 +26,10 @@ bool isDuplicate(const Rectangle& a, const Rectangle& b) {
   return areInOnePlane(a, b, kDistance, kCosine) && intersectionOverUnion(a, b) > kOverlap;
 }
 
-bool areInOnePlace(const Rectangle& a, const Rectangle& b, const TrackingConfig& config) {
-  return areInOnePlane(a, b, config.position_tolerance, std::cos(config.angle_tolerance)) &&
-         2 * sharedArea(a, b) > std::min(a.width * a.height, b.width * b.height);
+double overlapInOnePlace(const Rectangle& a, const Rectangle& b, const TrackingConfig& config) {
+  if (!areInOnePlane(a, b, config.position_tolerance, std::cos(config.angle_tolerance))) return 0;
+  const double overlap = intersectionOverUnion(a, b);
+  return 2 * sharedArea(overlap, a, b) > std::min(a.width * a.height, b.width * b.height) ? overlap : 0;
 }
 
 bool isPartOf(const Track& track, const Rectangle& part, double stamp, const TrackingConfig& config) {
@@ -39,7 +39,8 @@ bool isPartOf(const Track& track, const Rectangle& part, double stamp, const Tra
   if (!isConfirmed(track, config) || stamp - newest.stamp > kRecent || way.norm() < kMoved) return false;
   const Rectangle front =
       newest.stamp == stamp ? newest.rectangle : newestMotion(track.observations).at(stamp, config.prediction_horizon);
-  return areInOnePlane(front, part, kDistance, kCosine) && sharedArea(front, part) > kInside * part.width * part.height;
+  return areInOnePlane(front, part, kDistance, kCosine) &&
+         sharedArea(intersectionOverUnion(front, part), front, part) > kInside * part.width * part.height;
 }
 
 }  // namespace cabinet_articulation::core

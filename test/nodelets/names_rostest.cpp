@@ -4,8 +4,6 @@
 #include <cabinet_articulation/Forget.h>
 #include <cabinet_articulation/SaveModels.h>
 #include <cabinet_articulation/SetName.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_ros/transform_listener.h>
@@ -32,32 +30,12 @@ class Names : public test::MovingFronts {
   Names()
       : MovingFronts("cabinet"), path_(fs::temp_directory_path() / ("names_rostest." + std::to_string(::getpid()) + ".yaml")) {
     nh_.setParam(kNodelet + "/models_file", path_.string());
-    load();
+    loadNodelet();
   }
 
   ~Names() override {
-    unload();
+    unloadNodelet();
     fs::remove(path_);
-  }
-
-  static void load() {
-    nodelet::NodeletLoad load;
-    load.request.name = kNodelet;
-    load.request.type = "cabinet_articulation/articulation";
-    EXPECT_TRUE(ros::service::waitForService("/cabinet/manager/load_nodelet", ros::Duration(test::kGenerous)));
-    EXPECT_TRUE(ros::service::call("/cabinet/manager/load_nodelet", load));
-  }
-
-  static void unload() {
-    nodelet::NodeletUnload unload;
-    unload.request.name = kNodelet;
-    ros::service::call("/cabinet/manager/unload_nodelet", unload);
-  }
-
-  void restart() {
-    unload();
-    load();
-    ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
   }
 
   template <class Service>

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cabinet_articulation/Predict.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -40,26 +38,6 @@ class ModelFile : public MovingFronts {
   void SetUp() override {
     MovingFronts::SetUp();
     ASSERT_TRUE(spinUntil([&] { return reports_.hears(2); }));
-  }
-
-  void loadNodelet() {
-    nodelet::NodeletLoad load;
-    load.request.name = kName;
-    load.request.type = "cabinet_articulation/articulation";
-    EXPECT_TRUE(ros::service::waitForService("/cabinet/manager/load_nodelet", ros::Duration(kGenerous)));
-    EXPECT_TRUE(ros::service::call("/cabinet/manager/load_nodelet", load));
-  }
-
-  void unloadNodelet() {
-    nodelet::NodeletUnload unload;
-    unload.request.name = kName;
-    ros::service::call("/cabinet/manager/unload_nodelet", unload);
-  }
-
-  void restart() {
-    unloadNodelet();
-    loadNodelet();
-    ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
   }
 
   Predict::Response predict(std::uint32_t id, double q) {

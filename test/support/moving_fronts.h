@@ -4,6 +4,8 @@
 #include <cabinet_articulation/ArticulationModelArray.h>
 #include <cabinet_articulation/TrackArray.h>
 #include <gtest/gtest.h>
+#include <nodelet/NodeletLoad.h>
+#include <nodelet/NodeletUnload.h>
 
 #include <algorithm>
 #include <random>
@@ -47,6 +49,28 @@ class MovingFronts : public testing::Test {
       tracks_[i].width = 0.4;
       tracks_[i].height = i == 1 ? 0.2 : 0.6;
     }
+    ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
+  }
+
+  /// The nodelet, in the manager `ns`/manager, of tests that load it themselves.
+  void loadNodelet() {
+    nodelet::NodeletLoad load;
+    load.request.name = nh_.resolveName("articulation");
+    load.request.type = "cabinet_articulation/articulation";
+    const std::string service = nh_.resolveName("manager/load_nodelet");
+    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(kGenerous)));
+    EXPECT_TRUE(ros::service::call(service, load));
+  }
+
+  void unloadNodelet() {
+    nodelet::NodeletUnload unload;
+    unload.request.name = nh_.resolveName("articulation");
+    ros::service::call(nh_.resolveName("manager/unload_nodelet"), unload);
+  }
+
+  void restart() {
+    unloadNodelet();
+    loadNodelet();
     ASSERT_TRUE(spinUntil([&] { return models_.connected() && output_.getNumSubscribers() > 0; }));
   }
 

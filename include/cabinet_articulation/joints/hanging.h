@@ -20,6 +20,8 @@ const LearnedModel* findModel(std::uint32_t id, const std::vector<LearnedModel>&
 /// parent's.
 constexpr char kCoupledRatio[] = "coupled_ratio";
 
+void removeCoupledRatio(LearnedModel* model);
+
 /// The same joint, described in another frame.
 LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_target_source);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -33,5 +34,11 @@ struct Track {
   std::uint32_t revision = 0;
   std::vector<TrackedObservation> observations;
 };
+
+/// The track of this id, or null.
+inline const Track* findTrack(std::uint32_t id, const std::vector<Track>& tracks) {
+  const auto found = std::find_if(tracks.begin(), tracks.end(), [id](const Track& track) { return track.id == id; });
+  return found == tracks.end() ? nullptr : &*found;
+}
 
 }  // namespace cabinet_articulation::core

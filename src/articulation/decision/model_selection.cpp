@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "articulation/decision/systematic_error.h"
+#include "articulation/fitting/residual_correlation.h"
 #include "articulation/models/model_registry.h"
+#include "geometry/logistic.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -22,14 +24,9 @@ constexpr double kEvident = 0.99;
 /// [nats] By which a joint that is no plausible one must be better to be believed in.
 constexpr double kImplausible = 5;
 
-double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
-/// Share of a candidate's residuals that are independent of one another.
-double independentShare(const Candidate& candidate) { return (1 - candidate.correlation) / (1 + candidate.correlation); }
-
 /// [nats] Log of the odds of a model against a simpler one, for residuals of which only as many count as are independent.
 double advantage(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track) {
-  const double independent = independentShare(candidate);
+  const double independent = independentShare(candidate.correlation);
   const int parameters = candidate.model->complexity(track.has_orientation) - simpler.model->complexity(track.has_orientation);
   return independent * (candidate.cautious_log_likelihood - simpler.cautious_log_likelihood) -
          0.5 * parameters * std::log(std::max(1.0, independent * static_cast<double>(track.size())));
@@ -52,7 +49,7 @@ double addIndependentEvidence(Candidate* candidate, const Candidate& simpler, do
       bowOfPath(*candidate) >= config.sagitta_min || (track.has_orientation && turnAlongPath(*candidate) >= turn_min);
   if (!bends) candidate->evidence = std::min(candidate->evidence, simpler.evidence);
   // A sequence forgives noise that is worse with the more complex model, and takes steady turning for slow noise.
-  const double difference = independentShare(*candidate) * (candidate->log_likelihood - simpler.log_likelihood);
+  const double difference = independentShare(candidate->correlation) * (candidate->log_likelihood - simpler.log_likelihood);
   const double added = track.has_orientation ? difference : std::min(0.0, difference);
   candidate->evidence += added;
   const double largest =

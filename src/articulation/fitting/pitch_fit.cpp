@@ -24,10 +24,9 @@ double robustSigma(std::vector<double> residuals) {
 }
 
 /// How much of the information in residuals is independent, where some follow one another. They are cut at `limit`.
-double independentShare(std::vector<double> residuals, double limit) {
+double shareOfInformation(std::vector<double> residuals, double limit) {
   for (double& residual : residuals) residual = std::clamp(residual, -limit, limit);
-  const double correlation = correlationWithNext(residuals);
-  const double share = (1 - correlation) / (1 + correlation);
+  const double share = independentShare(correlationWithNext(residuals));
   return share / (1 + kCommon * share * static_cast<double>(residuals.size()));
 }
 
@@ -54,7 +53,7 @@ void PitchFit::add(const std::vector<Equation>& equations, const Row& x, double 
   std::vector<double> residuals;
   for (const Equation& equation : equations) residuals.push_back(equation.residual - equation.row.dot(x));
   if (knows_residuals) sigma = robustSigma(residuals);
-  const double share = independentShare(residuals, kOutlierSigmas * sigma);
+  const double share = shareOfInformation(residuals, kOutlierSigmas * sigma);
   for (std::size_t i = 0; i < equations.size(); ++i) {
     const Equation& equation = equations[i];
     const double square = knows_residuals ? equation.seen * std::pow(residuals[i] / sigma, 2) : 0;

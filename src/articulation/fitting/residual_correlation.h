@@ -24,4 +24,7 @@ double correlationWithNext(const std::vector<Residual>& cut) {
   return square > 0 ? std::clamp(product / square, 0.0, kMost) : 0;
 }
 
+/// Share of residuals that are independent of one another, where each has this correlation with the next.
+inline double independentShare(double correlation) { return (1 - correlation) / (1 + correlation); }
+
 }  // namespace cabinet_articulation::core
