@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <unordered_map>
+#include <utility>
 
+#include "cabinet_articulation/geometry/limits.h"
 #include "geometry/turned_covariance.h"
 
 namespace cabinet_articulation::core {
@@ -13,21 +18,62 @@ namespace {
 
 std::string inWords(std::uint32_t id) { return "front " + std::to_string(id); }
 
-/// The model's parent, its parent, and so on, as far as they are among `all`. Throws ModelError for a cycle.
-std::vector<const LearnedModel*> parentsOf(const LearnedModel& model, const std::vector<LearnedModel>& all) {
+using Find = std::function<const LearnedModel*(std::uint32_t id)>;
+
+Find among(const std::vector<LearnedModel>& models) {
+  return [&models](std::uint32_t id) { return findModel(id, models); };
+}
+
+/// The same for as many questions as there are models, which a list would answer in a time that grows with their square.
+Find indexed(const std::vector<LearnedModel>& models) {
+  std::unordered_map<std::uint32_t, const LearnedModel*> index;
+  for (const LearnedModel& model : models) index.emplace(model.id, &model);
+  return [index = std::move(index)](std::uint32_t id) {
+    const auto found = index.find(id);
+    return found == index.end() ? nullptr : found->second;
+  };
+}
+
+/// The model's parent, its parent, and so on, as far as they are found. Throws ModelError for a cycle, and for too many.
+std::vector<const LearnedModel*> parentsOf(const LearnedModel& model, const Find& find) {
   std::vector<const LearnedModel*> parents;
   std::set<std::uint32_t> seen{model.id};
   std::string chain = inWords(model.id);
   for (const LearnedModel* at = &model; at->parent != 0;) {
     chain += " hangs on " + inWords(at->parent);
     if (!seen.insert(at->parent).second) throw ModelError(chain + ", in a cycle; one of them must have the parent 0, the world");
+    if (parents.size() == limits::kMostParents)
+      throw ModelError(chain + "; expected at most " + std::to_string(limits::kMostParents) + " from a front to the world");
     chain += ", which";
-    const LearnedModel* parent = findModel(at->parent, all);
+    const LearnedModel* parent = find(at->parent);
     if (parent == nullptr) break;
     parents.push_back(parent);
     at = parent;
   }
   return parents;
+}
+
+Eigen::Isometry3d frameFrom(const LearnedModel& model, const Find& find) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  const LearnedModel* child = &model;
+  for (const LearnedModel* parent : parentsOf(model, find)) {
+    requireJoint(*parent);
+    T = parent->predict(parent->q) * T;
+    child = parent;
+  }
+  if (child->parent != 0)
+    throw ModelError(inWords(child->id) + " hangs on " + inWords(child->parent) +
+                     ", which is not known, so that nobody can tell where it is");
+  return T;
+}
+
+/// Nothing if it cannot be told.
+std::optional<Eigen::Isometry3d> frameIfKnown(const LearnedModel& model, const Find& find) {
+  try {
+    return frameFrom(model, find);
+  } catch (const ModelError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -53,33 +99,18 @@ LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_t
 }
 
 Eigen::Isometry3d frameOf(const LearnedModel& model, const std::vector<LearnedModel>& all) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  const LearnedModel* child = &model;
-  for (const LearnedModel* parent : parentsOf(model, all)) {
-    requireJoint(*parent);
-    T = parent->predict(parent->q) * T;
-    child = parent;
-  }
-  if (child->parent != 0)
-    throw ModelError(inWords(child->id) + " hangs on " + inWords(child->parent) +
-                     ", which is not known, so that nobody can tell where it is");
-  return T;
+  return frameFrom(model, among(all));
 }
 
 bool hangsOnKnown(const LearnedModel& model, const std::vector<LearnedModel>& all) {
-  if (model.parent == 0) return true;
-  try {
-    frameOf(model, all);
-    return true;
-  } catch (const ModelError&) {
-    return false;
-  }
+  return model.parent == 0 || frameIfKnown(model, among(all));
 }
 
 std::vector<LearnedModel> thoseOnKnown(const std::vector<LearnedModel>& models) {
+  const Find find = indexed(models);
   std::vector<LearnedModel> result;
   std::copy_if(models.begin(), models.end(), std::back_inserter(result),
-               [&](const LearnedModel& model) { return hangsOnKnown(model, models); });
+               [&](const LearnedModel& model) { return model.parent == 0 || frameIfKnown(model, find); });
   return result;
 }
 
@@ -105,8 +136,12 @@ LearnedModel setDown(const LearnedModel& model, const std::vector<LearnedModel>&
 }
 
 std::vector<LearnedModel> allPlaced(const std::vector<LearnedModel>& models) {
-  std::vector<LearnedModel> result = thoseOnKnown(models);
-  for (LearnedModel& model : result) model = placed(model, models);
+  const Find find = indexed(models);
+  std::vector<LearnedModel> result;
+  for (const LearnedModel& model : models) {
+    const std::optional<Eigen::Isometry3d> frame = frameIfKnown(model, find);
+    if (frame) result.push_back(model.parent == 0 ? model : transformed(model, *frame));
+  }
   return result;
 }
 
@@ -118,7 +153,8 @@ std::vector<LearnedModel> thoseOfTheWorld(const std::vector<LearnedModel>& model
 }
 
 void requireNoCycle(const std::vector<LearnedModel>& models) {
-  for (const LearnedModel& model : models) parentsOf(model, models);
+  const Find find = indexed(models);
+  for (const LearnedModel& model : models) parentsOf(model, find);
 }
 
 }  // namespace cabinet_articulation::core

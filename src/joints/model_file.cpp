@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cabinet_articulation/joints/hanging.h"
 #include "config/ordinary_file.h"
 #include "joints/front_merge.h"
 #include "joints/kind_fields.h"
@@ -55,6 +56,19 @@ Found lookAt(const fs::path& file) {
   return found;
 }
 
+/// Fronts that can only be placed apart cannot be merged.
+MergedFronts merge(const ModelFile& models, const std::vector<ForgottenFront>& removed, Found* found) {
+  MergedFronts merged = mergeFronts(models.fronts, found->models ? found->models->fronts : std::vector<KnownFront>(), removed);
+  try {
+    requireNoCycle(modelsOf(merged.fronts));
+    return merged;
+  } catch (const ModelError& error) {
+    found->why_not = error.what();
+    found->models.reset();
+    return mergeFronts(models.fronts, {}, removed);
+  }
+}
+
 }  // namespace
 
 std::string SavedModels::inWords(const std::string& file) const {
@@ -86,7 +100,7 @@ SavedModels saveModelFile(const std::string& path, const ModelFile& models, cons
       found.models.reset();
     }
     SavedModels saved;
-    MergedFronts merged = mergeFronts(models.fronts, found.models ? found.models->fronts : std::vector<KnownFront>(), removed);
+    MergedFronts merged = merge(models, removed, &found);
     saved.fronts = merged.fronts.size();
     saved.from_file = merged.from_file;
     saved.known_changes = merged.known_changes;

@@ -3,6 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cstddef>
+#include <ctime>
+
+#include "cabinet_articulation/geometry/limits.h"
 #include "support/models.h"
 #include "support/throws_saying.h"
 
@@ -77,6 +81,32 @@ TEST(Hanging, InACycleIsRefusedInWords) {
   door.parent = 3;
   EXPECT_THAT([&] { requireNoCycle({door}); }, ThrowsSaying<ModelError>(HasSubstr("in a cycle")));
   EXPECT_NO_THROW(requireNoCycle({test::doorModel(), rack()}));
+}
+
+/// `count` fronts with the ids from 1 on, each on the next; the last one on `last`.
+std::vector<LearnedModel> chainOf(std::size_t count, std::uint32_t last) {
+  std::vector<LearnedModel> chain(count, test::drawerModel());
+  for (std::size_t i = 0; i < count; ++i) {
+    chain[i].id = static_cast<std::uint32_t>(i + 1);
+    chain[i].parent = i + 1 < count ? chain[i].id + 1 : last;
+  }
+  return chain;
+}
+
+TEST(Hanging, ALongChainIsRefusedInWords) {
+  const std::vector<LearnedModel> longest = chainOf(limits::kMostParents + 1, 0), longer = chainOf(limits::kMostParents + 2, 0);
+  EXPECT_NO_THROW(requireNoCycle(longest));
+  EXPECT_EQ(allPlaced(longest).size(), longest.size());
+  EXPECT_THAT([&] { requireNoCycle(longer); },
+              ThrowsSaying<ModelError>(HasSubstr("which hangs on front 10; expected at most 8")));
+  EXPECT_EQ(allPlaced(longer).size(), longest.size());
+}
+
+TEST(Hanging, AMessageOfOneChainTakesNoLongerThanItsFronts) {
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(allPlaced(chainOf(limits::kMostFronts, 0)).size(), limits::kMostParents + 1);
+  EXPECT_TRUE(allPlaced(chainOf(limits::kMostFronts, 1)).empty());
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);  // 20 s where each looks for all above it
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ constexpr Limit kHullMargin{0, 1, "image sizes outside"};  ///< regions end at t
 
 constexpr std::size_t kMostEntries = 10000;  ///< ours: openings, steps, ids or poses; an answer takes 10 MB
 constexpr std::size_t kMostFronts = 4000;    ///< ours: in a message; 2000 rectangles take 0.5 s (measured)
+constexpr std::size_t kMostParents = 8;      ///< ours: from a front to the world; a box in a drawer behind a door has two
 
 }  // namespace limits
 

@@ -26,7 +26,7 @@ void removeCoupledRatio(LearnedModel* model);
 LearnedModel transformed(const LearnedModel& model, const Eigen::Isometry3d& T_target_source);
 
 /// Where the frame is that the model is described in, with all parents at their present q: the identity if it hangs on the world.
-/// Throws ModelError for a parent that is not among `all` or is no joint, and for a cycle.
+/// Throws ModelError for a parent that is not among `all` or is no joint, for a cycle, and for more than limits::kMostParents.
 Eigen::Isometry3d frameOf(const LearnedModel& model, const std::vector<LearnedModel>& all);
 
 /// Whether its parents, up to the world, are joints among `all`.
@@ -50,8 +50,8 @@ std::vector<LearnedModel> allPlaced(const std::vector<LearnedModel>& models);
 /// Those that hang on the world.
 std::vector<LearnedModel> thoseOfTheWorld(const std::vector<LearnedModel>& models);
 
-/// Throws ModelError, with the fronts of the cycle in words, if fronts hang on one another in a cycle. Parents that are not
-/// among them are not looked for.
+/// Throws ModelError, with the fronts in words, if they hang on one another in a cycle, or more than limits::kMostParents in a
+/// row. Parents that are not among them are not looked for.
 void requireNoCycle(const std::vector<LearnedModel>& models);
 
 }  // namespace cabinet_articulation::core
