@@ -54,7 +54,7 @@ std::vector<JointShape> shapesFromYaml(const YAML::Node& node) {
   std::vector<JointShape> shapes;
   if (!node) return shapes;
   if (!node.IsSequence()) throw std::runtime_error("'kinds' is no list");
-  requireAtMost("joints in 'kinds'", node.size(), limits::kMostEntries);
+  requireAtMost("joints in 'kinds'", node.size(), kMostShapes);
   for (std::size_t i = 0; i < node.size(); ++i) {
     try {
       shapes.push_back(shapeFromYaml(node[i]));

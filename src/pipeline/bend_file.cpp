@@ -36,6 +36,7 @@ KnownBend fromYaml(const YAML::Node& node) {
   const auto side = [&node](const char* field) { return static_cast<int>(yaml::within(node[field], field, limits::kImageSide)); };
   camera.width = side("width");
   camera.height = side("height");
+  requireWithin("width times height", static_cast<double>(camera.width) * camera.height, limits::kImageArea);
   const yaml::Numbers focal_length = yaml::numbers(node["focal_length"], "focal_length", 2);
   const yaml::Numbers middle = yaml::numbers(node["principal_point"], "principal_point", 2);
   camera.fx = focal_length[0];

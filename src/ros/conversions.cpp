@@ -43,6 +43,9 @@ void requireSane(const ArticulationModel& message) {
   core::requireWithin("position_error", message.position_error, core::limits::kError);
   core::requireWithin("orientation_error", message.orientation_error, core::limits::kError);
   core::requireWithin("observations", message.observations, {0, std::numeric_limits<int>::max(), "(a number)"});
+  core::requireWithin("support", message.support, {0, std::numeric_limits<int>::max(), "(a number)"});
+  core::requireWithin("doubt", message.doubt, core::limits::kQuality);
+  core::requireWithin("parent_probability", message.parent_probability, core::limits::kProbability);
   core::requireAtMost("probabilities", message.probabilities.size(), core::modelRegistry().size());
   for (const double probability : message.probabilities)
     core::requireWithin("probabilities", probability, core::limits::kProbability);

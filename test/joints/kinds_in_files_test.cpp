@@ -4,6 +4,7 @@
 #include "joints/kind_fields.h"
 #include "joints/learned_fronts.h"
 #include "joints/model_folder.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -31,6 +32,16 @@ TEST_F(KindsInFiles, AreAtMostAsManyAsInMemory) {
   const std::vector<JointShape> kinds = readModelFile(path_).kinds;
   ASSERT_EQ(kinds.size(), kMostShapes);
   EXPECT_TRUE(isSame(kinds[9], models.kinds[9])) << "those of the run that saves come first";
+}
+
+TEST_F(KindsInFiles, OfMoreJointsThanThatAreRefusedInWords) {
+  ModelFile models{"map", {learned(test::doorModel())}};
+  models.kinds = drawers(kMostShapes, 0.2);
+  saveModelFile(path_, models);
+  std::string changed = text();
+  const std::size_t first = changed.find("kinds:\n") + 7, second = changed.find("  - type", first + 1);
+  write(changed.insert(first, changed.substr(first, second - first)));
+  EXPECT_THAT([&] { readModelFile(path_); }, test::ThrowsSaying<ModelFileError>(testing::HasSubstr("257 joints in 'kinds'")));
 }
 
 TEST_F(KindsInFiles, OutliveTheFrontThatTaughtThem) {

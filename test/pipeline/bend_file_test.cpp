@@ -82,5 +82,15 @@ TEST_F(BendFile, NumbersThatNoCameraHasAreRefused) {
   }
 }
 
+/// Of each camera that the file has, a picture of that size is drawn.
+TEST_F(BendFile, ImagesThatNoCameraHasAreRefused) {
+  saveBends(file_, {{"kinect", example(1)}});
+  std::string changed = text();
+  changed.replace(changed.find("width: 640"), 10, "width: 16384");
+  changed.replace(changed.find("height: 480"), 11, "height: 16384");
+  write(changed);
+  EXPECT_THROW(readBendFile(file_), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

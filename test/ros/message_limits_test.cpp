@@ -148,6 +148,10 @@ TEST(MessageLimits, OfModels) {
   expect([](auto& message, double value) { message.q_max = value; }, core::limits::kConfiguration, "q_max");
   expect([](auto& message, double value) { message.radius = value; }, core::limits::kRadius, "radius");
   expect([](auto& message, double value) { message.axis_point.z = value; }, core::limits::kFromOrigin, "axis_point");
+  expect([](auto& message, double value) { message.doubt = value; }, core::limits::kQuality, "doubt");
+  expect([](auto& message, double value) { message.parent_probability = value; }, core::limits::kProbability,
+         "parent_probability");
+  EXPECT_EQ(refusal<ArticulationModel>(good, [](auto& message) { message.support = kNan; }).find("support is nan"), 0u);
   EXPECT_EQ(refusal<ArticulationModel>(good, [](auto& message) { message.axis.x = 1e38; }).find("length of axis is "), 0u);
 }
 
