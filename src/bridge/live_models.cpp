@@ -70,11 +70,13 @@ void LiveModels::takeTracks(const TrackArray& message) try {
   ROS_ERROR_THROTTLE(5, "tracks: %s", error.what());
 }
 
-void LiveModels::takeModels(const ArticulationModelArray& message) {
+void LiveModels::takeModels(const ArticulationModelArray& message) try {
   if (model_.getNumSubscribers() == 0) return;
   std::string left_out;
   for (const ModelMsg& model : originalModels(message, fronts_.tracks(), &left_out)) model_.publish(model);
   if (!left_out.empty()) ROS_ERROR_THROTTLE(5, "models: %s; it is left out", left_out.c_str());
+} catch (const std::exception& error) {
+  ROS_ERROR_THROTTLE(5, "models: %s", error.what());
 }
 
 }  // namespace cabinet_articulation::bridge

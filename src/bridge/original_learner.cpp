@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/original_learner.h"
 
+#include <ros/serialization.h>
+
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "bridge/original_model.h"
 #include "cabinet_articulation/articulation/articulation_learner.h"
@@ -85,6 +88,8 @@ std::size_t posesToRefit(const std::map<int, ModelMsg>& stored, std::size_t more
   for (const auto& [id, model] : stored) poses += model.track.pose.size() + more;
   return poses;
 }
+
+std::size_t sizeOf(const ModelMsg& model) { return ros::serialization::serializationLength(model); }
 
 int firstFreeId(const std::map<int, ModelMsg>& stored) {
   int id = 0;
@@ -184,10 +189,14 @@ ModelMsg OriginalLearner::resampled(const Model& request) const {
 }
 
 ModelMsg OriginalLearner::store(const Model& request) {
-  const bool is_new = stored_.count(request.id) == 0;
+  const auto before = stored_.find(request.id);
+  const bool is_new = before == stored_.end();
   core::requireAtMost("stored models", stored_.size() + (is_new ? 1 : 0), core::limits::kMostFronts);
   ModelMsg kept = eval(request);
   if (kept.id < 0) kept.id = firstFreeId(stored_);
+  const std::size_t bytes = bytes_ - (is_new ? 0 : sizeOf(before->second)) + sizeOf(kept);
+  core::requireAtMost("bytes in stored models", bytes, kMostStoredBytes);
+  bytes_ = bytes;
   return stored_[kept.id] = kept;
 }
 
@@ -208,7 +217,7 @@ void OriginalLearner::setPrior(const std::vector<Model>& models) {
       throw std::invalid_argument("model[" + std::to_string(i) + "]: " + error.what());
     }
   }
-  stored_.swap(fresh.stored_);
+  *this = std::move(fresh);
 }
 
 }  // namespace cabinet_articulation::bridge

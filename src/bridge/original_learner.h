@@ -17,6 +17,9 @@ namespace cabinet_articulation::bridge {
 /// each, and 1 s in longer ones. Measured on 1000 and 100 stored doors, and on 190 pairs of parts.
 constexpr std::size_t kMostFittedPoses = 200000;
 
+/// [bytes] of all stored models, as messages (ours: some 3000 doors of 100 poses each).
+constexpr std::size_t kMostStoredBytes = 64U << 20U;
+
 /// Throws std::invalid_argument for more poses than that; `what` takes the fits.
 void requireSoon(const std::string& what, std::size_t poses);
 
@@ -46,7 +49,8 @@ class OriginalLearner {
 
   Model resampled(const Model& request) const;
 
-  /// Keeps the model; one with the id -1 gets the first that is free.
+  /// Keeps the model; one with the id -1 gets the first that is free. Throws for more than limits::kMostFronts models, and for
+  /// more than kMostStoredBytes.
   Model store(const Model& request);
 
   std::vector<Model> prior() const;
@@ -56,6 +60,7 @@ class OriginalLearner {
 
  private:
   std::map<int, Model> stored_;
+  std::size_t bytes_ = 0;  ///< of all of them
   core::ArticulationConfig config_;
 };
 

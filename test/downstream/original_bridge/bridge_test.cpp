@@ -155,6 +155,19 @@ TEST(OriginalLearner, RefusesWhatWouldTakeLong) {
   EXPECT_EQ(refusal([&] { spanningTree(object, {}); }).find("190 pairs of parts would take fits to 1900000 poses"), 0U);
 }
 
+TEST(OriginalLearner, KeepsNoMoreThanFits) {
+  OriginalLearner learner = bridge::learner();
+  ModelMsg model = learner.select(requestOf(trackOf(turned, 1.2)));
+  model.track.pose_resampled.resize(1000000);  // 56 MB
+  EXPECT_EQ(learner.store(model).id, 0);
+  EXPECT_NE(refusal([&] { learner.store(model); }).find("bytes in stored models, expected 67108864 at most"), std::string::npos);
+  model.id = 0;
+  EXPECT_EQ(learner.store(model).id, 0) << "in its own place";
+  learner.setPrior({});
+  model.id = -1;
+  EXPECT_EQ(learner.store(model).id, 0);
+}
+
 TEST(OriginalLearner, ParametersOfTheRequestCount) {
   ModelMsg request = requestOf(trackOf(turned, 1.2));
   setParam("disable_all", 1, 0, &request.params);
