@@ -4,11 +4,15 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cabinet_articulation::core {
 
 bool hasShape(const LearnedModel& joint) {
-  return joint.type == JointType::kPrismatic || (joint.type == JointType::kRotational && joint.radius > 0);
+  if (joint.type != JointType::kRotational) return joint.type == JointType::kPrismatic;
+  constexpr double kRounding = 1e-3;  // share of the radius (ours): files round, and a map may count from far away
+  const double arm = (joint.axis_point - joint.origin.translation()).cross(joint.axis).norm();
+  return joint.radius > 0 && std::abs(arm - joint.radius) <= kRounding * joint.radius;
 }
 
 JointShape shapeOf(const LearnedModel& joint, const Eigen::Matrix3d& start) {
@@ -88,6 +92,8 @@ Eigen::MatrixXd shapeCovariance(const LearnedModel& joint, const JointShape& mea
 ShapeSigmas shapeSigmas(const LearnedModel& joint) {
   const JointShape own = shapeOf(joint, joint.origin.linear());
   const Eigen::MatrixXd covariance = shapeCovariance(joint, own);
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  if (!covariance.allFinite()) return {kUnknown, kUnknown};  // of a file, and too large to count with
   const Eigen::Index turns = own.turns() ? 3 : 2;
   const Eigen::MatrixXd of_turn = covariance.topLeftCorner(turns, turns);
   const double turn = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(of_turn).eigenvalues().maxCoeff();

@@ -10,7 +10,7 @@
 
 namespace cabinet_articulation::core {
 
-/// Whether joints of this type have a JointShape.
+/// Whether it has a JointShape: not joints of other types, nor one of a file whose radius does not lead to its axis.
 bool hasShape(const LearnedModel& joint);
 
 /// Of a joint that hasShape(), with its front's size and id. `start`: orientation of the front at q = 0. A front whose size is

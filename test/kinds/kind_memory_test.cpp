@@ -2,6 +2,7 @@
 #include "kinds/kind_memory.h"
 
 #include "kinds/taught_kinds.h"
+#include "support/models.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -147,6 +148,27 @@ TEST(KindMemory, StartsFromWhatWasKnown) {
   ASSERT_EQ(next.kinds().size(), 1u);
   EXPECT_EQ(next.votesBeside({1}).size(), 2u) << "the file's front is front 1 again";
   EXPECT_LT(difference(next.kinds()[0].mean(), memory.kinds()[0].mean()).norm(), 1e-6);
+}
+
+/// Files may say so.
+TEST(KindMemory, AJointThatContradictsItselfTeachesNothing) {
+  LearnedModel door = ::cabinet_articulation::test::doorModel();
+  door.probabilities = {0, 0, 1, 0, 0};
+  door.support = 20;
+  door.covariance = 1e-6 * Matrix6d::Identity();
+  const auto votesFrom = [](const LearnedModel& joint) {
+    KindMemory memory{LearningConfig()};
+    memory.startFrom({}, {joint});
+    return votes(memory);
+  };
+  EXPECT_EQ(votesFrom(door), 1U);
+  LearnedModel on_its_axis = door, of_no_size = door, of_unknown_place = door;
+  on_its_axis.axis_point = door.origin.translation() + 0.5 * door.axis;
+  of_no_size.radius = 1e-320;
+  of_unknown_place.covariance(0, 0) = 1e308;
+  of_unknown_place.covariance(2, 2) = 1e308;
+  of_unknown_place.covariance(0, 2) = of_unknown_place.covariance(2, 0) = -1e308;
+  for (const LearnedModel& joint : {on_its_axis, of_no_size, of_unknown_place}) EXPECT_EQ(votesFrom(joint), 0U);
 }
 
 TEST(KindMemory, ExpectsAFrontAtRestToBeLikeOthersOfItsSize) {
