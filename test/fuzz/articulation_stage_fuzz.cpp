@@ -3,8 +3,10 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/structure/structure_finder.h"
 #include "closing/closed_finder.h"
+#include "kinds/kind_memory.h"
 #include "messages.h"
 #include "model_uses.h"
+#include "ros/kind_messages.h"
 #include "support/ros_messages.h"
 
 using namespace cabinet_articulation;
@@ -39,6 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     core::ArticulationLearner learner{core::ArticulationConfig()};
     core::ClosedFinder closed;
     core::StructureFinder structure{core::ArticulationConfig()};
+    core::KindMemory kinds{core::LearningConfig()};
     core::KnownFronts known;
     std::string frame;
     do {
@@ -52,8 +55,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       closed.complete(&models);
       structure.complete(known.tracks(), &models);
       known.update(models);
+      kinds.complete(known.tracks(), &models);
       fuzz::useModels(models, frame);
     } while (!reader.atEnd());
-    fuzz::saveAndLoad(known.joints(), frame);
+    toMessages(kinds.kinds());
+    fuzz::saveAndLoad(known.joints(), frame, kinds.votesBeside({}));
   });
 }

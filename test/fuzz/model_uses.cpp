@@ -35,6 +35,19 @@ std::vector<core::KnownFront> exampleFronts() {
   return fronts;
 }
 
+std::vector<core::KnownFront> hangingFronts() {
+  std::vector<core::KnownFront> fronts = exampleFronts();
+  core::LearnedModel drawer = test::drawerModel();
+  drawer.id = 19;
+  drawer.parent = fronts[0].model.id;
+  drawer.parent_probability = 0.9375;
+  drawer.hollow = true;
+  drawer.origin = Eigen::Isometry3d(Eigen::Translation3d(0.02, -0.1, -0.1));
+  drawer.axis = Eigen::Vector3d::UnitZ();
+  fronts.push_back(test::learned(drawer, 6));
+  return fronts;
+}
+
 std::vector<core::Track> tracksOf(const std::vector<core::KnownFront>& fronts) {
   std::vector<core::Track> tracks;
   for (const core::KnownFront& front : fronts) tracks.push_back(front.track);
@@ -76,11 +89,14 @@ void useModels(const std::vector<core::LearnedModel>& models, const std::string&
   }
 }
 
-void saveAndLoad(const std::vector<core::KnownFront>& fronts, const std::string& frame) {
+void saveAndLoad(const std::vector<core::KnownFront>& fronts, const std::string& frame,
+                 const std::vector<core::JointShape>& kinds) {
   static const ScratchFile file("saved.yaml");
   file.remove();
   try {
-    core::saveModelFile(file.path(), {frame, fronts});
+    core::ModelFile models{frame, fronts};
+    models.kinds = kinds;
+    core::saveModelFile(file.path(), models);
     core::readModelFile(file.path());
   } catch (const core::ModelFileError& error) {
     detail::report(std::string("what is known cannot be saved and loaded: ") + error.what());

@@ -14,7 +14,7 @@ using namespace cabinet_articulation;
 
 fuzz::Seeds fuzz::seeds() {
   const SmallFrame frame;
-  std::vector<core::LearnedModel> models = modelsOf(exampleFronts());
+  std::vector<core::LearnedModel> models = modelsOf(hangingFronts());
   models.push_back(test::unexplainedModel());
   const RectangleArray rectangles = toMessage(seenAgain(exampleFronts()), frame.header);
   return {{serialized(frame.info(false), exampleTransform(), rectangles, toMessage(models, frame.header))}};

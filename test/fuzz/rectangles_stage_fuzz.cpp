@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/make_shared.hpp>
 
+#include "bend/bend_correction.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
@@ -48,15 +49,20 @@ fuzz::Seeds fuzz::seeds() {
   };
   sensor_msgs::CameraInfo far_sighted = *messages.info;
   far_sighted.P[0] = 1e38;
-  PlaneArray late = planes, far = planes;
+  PlaneArray late = planes, far = planes, bent = planes, short_of_a_term = planes;
   late.header.stamp.sec = 4294967290U;
   far.planes[0].hull[0].x = 3e38F;
-  return {{with(*messages.info, planes)}, {with(far_sighted, planes), with(*messages.info, late), with(*messages.info, far)}};
+  bent.bend.assign(core::kBendTerms, 0.25);
+  short_of_a_term.bend.assign(core::kBendTerms - 1, 0.25);
+  return {
+      {with(*messages.info, planes), with(*messages.info, bent)},
+      {with(far_sighted, planes), with(*messages.info, late), with(*messages.info, far), with(*messages.info, short_of_a_term)}};
 }
 
 /// Planes, CameraInfos and expected fronts, as the rectangles stage gets them. The pixels are always the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static core::RectangleDetector detector{core::RectanglesConfig(), core::PlanesConfig()};
+  static core::BendCorrection correction;
   static const FrameMessages pixels = messagesOf(fuzz::SmallFrame());
   return fuzz::examineMessages(data, size, [](fuzz::MessageReader& reader) {
     FrameMessages messages = pixels;
@@ -71,6 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const std::invalid_argument&) {  // the stage goes on without
     }
     const FrameViews views = assembler().view(messages);
-    toMessage(detector.process(views.frame, fromMessage(*planes), proposals), planes->header);
+    const core::DepthFrame flat = correction.process(views.frame, bendOf(*planes));
+    toMessage(detector.process(flat, fromMessage(*planes), proposals), planes->header);
+    toMessage(core::thinnedOut(flat));
   });
 }
