@@ -8,12 +8,11 @@ build=$(dirname "$here")/build
 case "$*" in
   "")
     targets=tests
-    # One after the other: the rostests measure rates, and the machine may have two cores.
-    run=run_tests
+    others=run_other_tests
     ;;
   unit)
     targets=unit_tests
-    run="-j$(nproc) run_unit_tests"
+    others=
     ;;
   *)
     echo "unknown arguments '$*'; usage: test.sh [unit]" >&2
@@ -30,6 +29,10 @@ fi
 rm -rf "$build/test_results"
 set +eu
 . "$here/../devel/setup.sh"
-make -C "$build" --no-print-directory $run
+make -C "$build" --no-print-directory -j"$(nproc)" run_unit_tests
 run_status=$?
+if [ -n "$others" ]; then
+  # One after the other: the rostests measure rates, and the machine may have two cores.
+  make -C "$build" --no-print-directory -j1 $others || run_status=$?
+fi
 /usr/bin/python3 "$here/summarize_tests.py" "$build/test_results" "$run_status"
