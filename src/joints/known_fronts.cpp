@@ -10,7 +10,7 @@
 
 #include "cabinet_articulation/joints/hanging.h"
 #include "joints/front_names.h"
-#include "tracking/history.h"
+#include "tracking/motion/history.h"
 
 namespace cabinet_articulation::core {
 

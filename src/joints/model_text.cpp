@@ -9,7 +9,7 @@
 #include "joints/front_merge.h"
 #include "joints/kind_fields.h"
 #include "joints/model_file_fields.h"
-#include "tracking/history.h"
+#include "tracking/motion/history.h"
 
 namespace cabinet_articulation::core {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
-#include "nodelets/settings.h"
+#include "nodelets/running/settings.h"
 
 namespace cabinet_articulation {
 namespace {

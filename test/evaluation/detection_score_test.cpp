@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "detection_score.h"
+#include "scores/detection_score.h"
 
 #include <gtest/gtest.h>
 

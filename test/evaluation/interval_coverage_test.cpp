@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "interval_coverage.h"
+#include "scores/interval_coverage.h"
 
 #include <gtest/gtest.h>
 

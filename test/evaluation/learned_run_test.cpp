@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learned_run.h"
+#include "scores/learned_run.h"
 
 #include <gtest/gtest.h>
 

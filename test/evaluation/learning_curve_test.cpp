@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning_curve.h"
+#include "scores/learning_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "merged_models.h"
+#include "scores/merged_models.h"
 
 #include <gtest/gtest.h>
 

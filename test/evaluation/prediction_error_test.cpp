@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "prediction_error.h"
+#include "scores/prediction_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorded_sequence.h"
+#include "sources/recorded_sequence.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulated_sources.h"
+#include "sources/simulated_sources.h"
 
 #include <gtest/gtest.h>
 

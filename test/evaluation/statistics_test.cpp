@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "statistics.h"
+#include "tables/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "track_source.h"
+#include "sources/track_source.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "simulated_sources.h"
+#include "sources/simulated_sources.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -4,7 +4,7 @@
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/simulation/simulation_config.h"
 #include "fuzz_target.h"
-#include "nodelets/settings.h"
+#include "nodelets/running/settings.h"
 #include "ros/live_settings.h"
 #include "scratch_file.h"
 #include "tools/config_catalogue.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/expected_inbox.h"
+#include "nodelets/input/expected_inbox.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/generation_watch.h"
+#include "nodelets/models/generation_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/latest_worker.h"
+#include "nodelets/running/latest_worker.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/orderly_exit.h"
+#include "nodelets/running/orderly_exit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a stage ends, without a master.
-#include "nodelets/stage_nodelet.h"
+#include "nodelets/stages/stage_nodelet.h"
 
 #include <gtest/gtest.h>
 

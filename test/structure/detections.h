@@ -10,7 +10,7 @@
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
 #include "cabinet_articulation/structure/structure_finder.h"
-#include "tracking/history.h"
+#include "tracking/motion/history.h"
 
 namespace cabinet_articulation {
 namespace test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/assignment.h"
+#include "tracking/matching/assignment.h"
 
 #include <gtest/gtest.h>
 

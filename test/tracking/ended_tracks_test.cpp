@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/ended_tracks.h"
+#include "tracking/tracker/ended_tracks.h"
 
 #include <gtest/gtest.h>
 

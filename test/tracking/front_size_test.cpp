@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/front_size.h"
+#include "tracking/size/front_size.h"
 
 #include <gtest/gtest.h>
 

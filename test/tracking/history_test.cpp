@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/history.h"
+#include "tracking/motion/history.h"
 
 #include <gtest/gtest.h>
 
-#include "tracking/motion_gate.h"
+#include "tracking/motion/motion_gate.h"
 #include "tracking/synthetic_fronts.h"
 
 namespace cabinet_articulation::core {

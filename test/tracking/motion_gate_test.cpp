@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/motion_gate.h"
+#include "tracking/motion/motion_gate.h"
 
 #include <gtest/gtest.h>
 

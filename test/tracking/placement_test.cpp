@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/placement.h"
+#include "tracking/size/placement.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tracking/motion_gate.h"
+#include "tracking/motion/motion_gate.h"
 #include "tracking/synthetic_fronts.h"
 
 namespace cabinet_articulation::core {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
-#include "tracking/ended_tracks.h"
 #include "tracking/synthetic_fronts.h"
+#include "tracking/tracker/ended_tracks.h"
 
 namespace cabinet_articulation::core {
 namespace {

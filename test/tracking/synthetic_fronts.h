@@ -9,8 +9,8 @@
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/tracking/track.h"
-#include "tracking/motion_gate.h"
-#include "tracking/placement.h"
+#include "tracking/motion/motion_gate.h"
+#include "tracking/size/placement.h"
 
 namespace cabinet_articulation::core {
 

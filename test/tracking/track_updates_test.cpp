@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tracking/history.h"
+#include "tracking/motion/history.h"
 #include "tracking/synthetic_fronts.h"
 
 namespace cabinet_articulation::core {
