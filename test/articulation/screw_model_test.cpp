@@ -39,7 +39,9 @@ TEST(ScrewModel, IsToldFromADoorWhereTheAdvanceIsThreeTimesTheNoise) {
           const LearnedModel model = learn(screwTrack(pitch / kTurn, degrees / 360 * kTurn, noise, seed));
           right += isScrew(model);
           ++all;
-          if (isScrew(model)) EXPECT_NEAR(model.pitch * kTurn, pitch, 0.2 * pitch + noise * 360 / degrees);
+          if (isScrew(model)) {
+            EXPECT_NEAR(model.pitch * kTurn, pitch, 0.2 * pitch + noise * 360 / degrees);
+          }
         }
   EXPECT_GE(right, 0.97 * all);
 }

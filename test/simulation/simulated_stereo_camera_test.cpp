@@ -295,7 +295,9 @@ TEST(SimulatedStereoCamera, TrolleyIsPushedBeforeItsDrawersOpenAndReturnsWhenThe
     const std::vector<FrontTruth> joints = camera.truth(i).joints;
     EXPECT_EQ(joints[0].parent, "");
     EXPECT_EQ(joints[1].parent, "face");
-    if (joints[1].q > 0 || joints[2].q > 0) EXPECT_NEAR(joints[0].q, 0.5, 1e-9) << i;
+    if (joints[1].q > 0 || joints[2].q > 0) {
+      EXPECT_NEAR(joints[0].q, 0.5, 1e-9) << i;
+    }
     EXPECT_TRUE(joints[1].q == 0 || joints[2].q == 0) << i;
     opened = opened || joints[2].q > 0.2;
     EXPECT_TRUE(joints[0].axis.isApprox(T_camera_world.linear() * Eigen::Vector3d::UnitX(), 1e-9));
