@@ -40,8 +40,12 @@ MOST_NUMBERS = {
     'tracking': (34, 19, 16),
     'articulation': (116, 329, 40),
 }
-# Folders of src/articulation, in the order of the data: each may use those before it.
-LEARNER_STEPS = ['paths', 'observations', 'fitting', 'models', 'decision', 'learner']
+# Sub-folders of the folders of src/, in the order of the data: each may use those before it.
+STEPS = {
+    'articulation': ['paths', 'observations', 'fitting', 'models', 'decision', 'learner'],
+    'tracking': ['size', 'motion', 'matching', 'tracker'],
+    'nodelets': ['running', 'input', 'models', 'stages'],
+}
 FOLDERS = [*LAYERS, 'ros', 'nodelets', 'rviz_plugin', 'tools', 'bridge']
 ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'
                          r'image_geometry|diagnostic_updater|pcl_ros|pcl_conversions|xmlrpcpp|\w+_msgs)/|^XmlRpc')
@@ -68,15 +72,15 @@ class Layers(unittest.TestCase):
                         wrong.append('%s: the core includes %s' % (path.relative_to(ROOT), header))
         self.assertEqual(wrong, [])
 
-    def test_each_step_of_the_learner_uses_those_before_it(self):
-        folder = 'src/articulation/'
-        self.assertEqual(sorted(LEARNER_STEPS), sorted(path.name for path in (ROOT / folder).iterdir() if path.is_dir()))
+    def test_each_step_of_a_folder_uses_those_before_it(self):
         wrong = []
-        for i, step in enumerate(LEARNER_STEPS):
-            for path in sources(folder + step):
-                for header in re.findall(r'^#include "articulation/(\w+)/', path.read_text(), re.M):
-                    if header not in LEARNER_STEPS[:i + 1]:
-                        wrong.append('%s includes %s/' % (path.relative_to(ROOT), header))
+        for folder, steps in STEPS.items():
+            self.assertEqual(sorted(steps), sorted(path.name for path in (ROOT / 'src' / folder).iterdir() if path.is_dir()))
+            for i, step in enumerate(steps):
+                for path in sources('src/%s/%s' % (folder, step)):
+                    for header in re.findall(r'^#include "%s/(\w+)/' % folder, path.read_text(), re.M):
+                        if header not in steps[:i + 1]:
+                            wrong.append('%s includes %s/' % (path.relative_to(ROOT), header))
         self.assertEqual(wrong, [])
 
     def test_public_headers_include_public_ones_alone(self):
