@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "closing/closed_finder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -23,6 +24,22 @@ void setClosed(bool known, double q_closed, LearnedModel* model) {
   model->closed_known = known;
   model->q_closed = known ? q_closed : std::numeric_limits<double>::quiet_NaN();
   model->opening = openingAt(*model, model->q);
+}
+
+/// A front that was seen to be shut has reached its closed position, and is there unless it was detected since.
+void setShut(double shut_at, LearnedModel* model) {
+  const bool grows = openEnd(*model, model->q_closed) == model->q_max;
+  if (grows && model->q_closed < model->q_min) {
+    model->q_min = model->q_closed;
+    model->q_min_is_end = true;
+  } else if (!grows && model->q_closed > model->q_max) {
+    model->q_max = model->q_closed;
+    model->q_max_is_end = true;
+  }
+  if (shut_at <= model->stamp) return;
+  model->q = model->q_closed;
+  model->stamp = shut_at;
+  model->opening = 0;
 }
 
 }  // namespace
@@ -81,6 +98,25 @@ void ClosedFinder::searchOne(const std::vector<LearnedModel>& models) {
   place.closed = *closed;
 }
 
+/// Looks at the newest view, if the front was not detected there.
+void ClosedFinder::watch(const LearnedModel& model, Place* place) const {
+  constexpr int kLeastViews = 2;  // one may be wrong as a whole
+  if (memory_.views().empty()) return;
+  const DepthView& view = memory_.views().back();
+  if (isSameStamp(model.stamp, view.stamp)) {
+    place->shut_views = 0;
+    return;
+  }
+  if (view.stamp == place->watched_at || view.stamp < model.stamp) return;
+  place->watched_at = view.stamp;
+  const std::optional<bool> shut = showsShut(model, view);
+  if (!shut) return;
+  place->shut_views = *shut ? std::min(place->shut_views + 1, kLeastViews) : 0;
+  if (place->shut_views < kLeastViews) return;
+  place->shut_at = view.stamp;
+  place->was_shut = true;
+}
+
 /// What is unknown and out of view is searched for anew when it returns.
 void ClosedFinder::forgetOthers(const std::vector<LearnedModel>& models) {
   std::set<std::uint32_t> ids;
@@ -104,8 +140,13 @@ void ClosedFinder::complete(std::vector<LearnedModel>* models) {
     }
     const double q_closed = configurationInPlaneOf(place->second.closed, model);
     const bool still_closed = opensOutwardsFrom(model, q_closed);
-    if (!still_closed) places_.erase(place);  // it was seen farther in
     setClosed(still_closed, q_closed, &model);
+    if (!still_closed) {
+      places_.erase(place);  // it was seen farther in
+      continue;
+    }
+    watch(model, &place->second);
+    if (place->second.was_shut) setShut(place->second.shut_at, &model);
   }
 }
 

@@ -15,12 +15,15 @@ namespace cabinet_articulation::core {
 /// when the closed position becomes known. The place is kept in space, not as a q: a joint that is learned better gets another
 /// q_closed for the same place. A frame costs one search at most (some 5 ms). A joint costs one in 0.3 s, or once its place is
 /// known, when it was seen a quarter more often.
+///
+/// The detector loses a front that shuts while it is some degrees open. The views show it shut: then its joint is at q_closed, at
+/// the stamp of the newest view that shows so. What is hidden or out of view stays where it was seen last.
 class ClosedFinder {
  public:
   /// What the camera saw in the frame whose joints come next.
   void see(DepthView view) { memory_.add(std::move(view)); }
 
-  /// Fills q_closed, closed_known and opening of every model.
+  /// Fills q_closed, closed_known and opening of every model. Also q, the range and the stamp of those that were seen shut.
   void complete(std::vector<LearnedModel>* models);
 
   /// Joints of an earlier run, with what was known of them.
@@ -38,12 +41,17 @@ class ClosedFinder {
     double searched_at = 0;  ///< [s] stamp of the newest view then
     int observations = 0;    ///< of the joint then
     OwnEdges edges;
+    double watched_at = 0;  ///< [s] stamp of the newest view in which it was looked whether the front is shut
+    int shut_views = 0;     ///< that show it shut, since one that shows it open
+    double shut_at = 0;     ///< [s] stamp of the newest of these, once they are enough
+    bool was_shut = false;  ///< ever
   };
 
   void forgetOthers(const std::vector<LearnedModel>& models);
   void noteEdges(const std::vector<LearnedModel>& models);
   bool isDue(const LearnedModel& model, double now) const;
   void searchOne(const std::vector<LearnedModel>& models);
+  void watch(const LearnedModel& model, Place* place) const;
 
   ViewMemory memory_;
   std::map<std::uint32_t, Place> places_;

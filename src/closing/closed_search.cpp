@@ -105,10 +105,9 @@ std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& 
   return surface;
 }
 
-bool isFull(const CellCount& inside) {
-  constexpr double kFull = 0.7;  // of the cells, beside an arm
-  return inside.in_plane > 0 && inside.in_plane >= kFull * inside.seen();
-}
+constexpr double kFull = 0.7;  ///< of the cells, beside an arm
+
+bool isFull(const CellCount& inside) { return inside.in_plane > 0 && inside.in_plane >= kFull * inside.seen(); }
 
 /// A view in which the front closes the surface.
 struct ClosedView {
@@ -116,9 +115,10 @@ struct ClosedView {
   Correction front;  ///< where the front itself is
 };
 
+constexpr double kLogOdds = 3;  ///< [nats] ln 20, in one view
+
 std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& surface,
                                     const std::vector<const DepthView*>& views) {
-  constexpr double kLogOdds = 3;  // [nats] ln 20, in one view
   std::vector<ClosedView> closed;
   const Rectangle front_there = frontAt(joint, surface.q);
   for (const DepthView* view : views) {
@@ -166,6 +166,17 @@ std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& e
   const double q = surface->q + meanOf(closed);
   if (!isWithin(q, limits::kConfiguration) || !opensOutwardsFrom(joint, q)) return std::nullopt;
   return frontAt(joint, q);
+}
+
+std::optional<bool> showsShut(const LearnedModel& joint, const DepthView& view) {
+  const FrontInView seen = look(view, frontAt(joint, joint.q_closed), kNear);
+  const CellCount& inside = seen.inside;
+  if (2 * inside.behind > inside.seen() + inside.blind) return false;
+  // The rim of an open cabinet may be all of it that has depth: cells without depth count.
+  if (inside.in_plane < kFull * (inside.seen() + inside.blind)) return std::nullopt;
+  const std::optional<SurfacePlane> plane = fitSurface(seen.front);
+  if (!plane) return std::nullopt;
+  return closedLogOdds(joint, correctionTo(*plane, joint, joint.q_closed)) > kLogOdds;
 }
 
 }  // namespace cabinet_articulation::core

@@ -27,4 +27,7 @@ constexpr double kNeighbourBand = 0.015;
 /// The front where it is closed, in the fixed frame. Nothing unless it was seen there.
 std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views);
 
+/// Whether a view shows the front of a joint with a known closed position there. No answer: its place is hidden, or not in view.
+std::optional<bool> showsShut(const LearnedModel& joint, const DepthView& view);
+
 }  // namespace cabinet_articulation::core

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace cabinet_articulation::core {
@@ -49,8 +50,10 @@ std::optional<std::size_t> partAt(double x, double y, const Rectangle& front) {
   return beyond_x > beyond_y ? (x < 0 ? kEdgeMinusX : kEdgePlusX) : (y < 0 ? kEdgeMinusY : kEdgePlusY);
 }
 
-/// Calls `use(part, point)` with the measured point of every `step`-th cell, in the front's frame.
-template <class Use>
+enum class Cells : std::uint8_t { kMeasured, kAll };
+
+/// Calls `use(part, depth, point)` for every `step`-th cell, with the measured point in the front's frame.
+template <Cells kWhich, class Use>
 void forEachPoint(const DepthView& view, const Rectangle& front, int step, Use&& use) {
   const Eigen::Isometry3d T_front_camera = front.pose.inverse() * view.T_fixed_camera;
   const Eigen::Vector3d eye = T_front_camera.translation();
@@ -59,12 +62,12 @@ void forEachPoint(const DepthView& view, const Rectangle& front, int step, Use&&
   for (int row = cells.y; row < cells.br().y; row += step)
     for (int column = cells.x; column < cells.br().x; column += step) {
       const float depth = view.at(column, row);
-      if (!(depth > 0)) continue;
+      if (kWhich == Cells::kMeasured && !(depth > 0)) continue;
       const Eigen::Vector3d ray = T_front_camera.linear() * view.ray(column, row);
       if (-ray.z() < kGrazing * ray.norm()) continue;
       const Eigen::Vector3d hit = eye - ray * (eye.z() / ray.z());
       const std::optional<std::size_t> part = partAt(hit.x(), hit.y(), front);
-      if (part) use(*part, Eigen::Vector3d(eye + depth * ray));
+      if (part) use(*part, depth, Eigen::Vector3d(eye + depth * ray));
     }
 }
 
@@ -79,8 +82,12 @@ bool count(const Eigen::Vector3d& point, double band, CellCount* cells) {
 
 FrontInView look(const DepthView& view, const Rectangle& front, double band) {
   FrontInView result;
-  forEachPoint(view, front, 1, [&](std::size_t part, const Eigen::Vector3d& point) {
+  forEachPoint<Cells::kAll>(view, front, 1, [&](std::size_t part, float depth, const Eigen::Vector3d& point) {
     const bool inside = part == kInside;
+    if (!(depth > 0)) {
+      if (inside) ++result.inside.blind;
+      return;
+    }
     if (count(point, band, inside ? &result.inside : &result.beside[part]))
       (inside ? result.front : result.around[part]).push_back(point);
   });
@@ -89,7 +96,7 @@ FrontInView look(const DepthView& view, const Rectangle& front, double band) {
 
 std::array<CellCount, 4> lookBeside(const DepthView& view, const Rectangle& front, double band, int step) {
   std::array<CellCount, 4> beside;
-  forEachPoint(view, front, step, [&](std::size_t part, const Eigen::Vector3d& point) {
+  forEachPoint<Cells::kMeasured>(view, front, step, [&](std::size_t part, float, const Eigen::Vector3d& point) {
     if (part != kInside) count(point, band, &beside[part]);
   });
   return beside;

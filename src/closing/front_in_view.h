@@ -12,6 +12,7 @@ namespace cabinet_articulation::core {
 /// Cells of a view at a front's place or beside one of its edges.
 struct CellCount {
   int in_plane = 0, before = 0, behind = 0;
+  int blind = 0;  ///< without depth; of FrontInView::inside alone
 
   int seen() const { return in_plane + before + behind; }
 };

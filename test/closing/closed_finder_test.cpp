@@ -50,13 +50,33 @@ class Closing : public testing::Test {
 
   void show(SimulatedStereoCamera& simulation, int i) {
     const StereoFrame frame = simulation.frame(i);
-    DepthFrame depth = frameFromDepth(frame.depth, simulation.camera());
+    show(frameFromDepth(frame.depth, simulation.camera()));
+  }
+
+  /// Somebody stands in front of the camera, or it sees nothing.
+  void block(double distance) {
+    DepthFrame depth = result_.frame;
+    depth.disparity = distance > 0 ? depth.camera.fx * depth.camera.baseline / distance : 0.0;
+    for (int i = 0; i < kRest; ++i) show(depth);
+  }
+
+  void show(const DepthFrame& depth) {
     result_ = pipeline_.process(100 + frames_++ / kRate, depth);
     for (const LearnedModel& model : result_.models) {
       if (!model.moved) continue;
       if (!joint_) first_q_of_closed_ = model.q_closed;
       joint_ = model;
     }
+  }
+
+  /// As the newest frame shows it.
+  void expectShut() const {
+    ASSERT_TRUE(joint_ && joint_->closed_known);
+    EXPECT_EQ(joint_->q, joint_->q_closed);
+    EXPECT_EQ(joint_->opening, 0);
+    EXPECT_NEAR(joint_->stamp, result_.view.stamp, 1e-9);
+    EXPECT_LE(joint_->q_min, joint_->q);
+    EXPECT_GE(joint_->q_max, joint_->q);
   }
 
   /// q counted from the closed position is the truth's.
@@ -112,6 +132,54 @@ TEST_F(Closing, OfADoorThatStartsHalfOpenIsKnownOnceItIsClosed) {
 TEST_F(Closing, OfADrawerThatStartsHalfOpenIsKnownOnceItIsClosed) {
   show("drawer", {0, 1, false, true});
   expectClosed(kLength);
+}
+
+TEST_F(Closing, OfADoorIsWhereItIsOnceItIsShut) {
+  show("door", {});
+  expectShut();
+}
+
+TEST_F(Closing, OfADrawerIsWhereItIsOnceItIsShut) {
+  show("drawer", {});
+  expectShut();
+}
+
+TEST_F(Closing, OfADoorThatIsSeenOnlyToShutIsWhereItIs) {
+  show("door", {0, 1, false, true});
+  expectShut();
+}
+
+TEST_F(Closing, LeavesADoorAjarThatIsLeftSo) {
+  show("door", {0, 1, true, false});
+  show("door", {0.05, 1, false, true});  // 4 degrees
+  ASSERT_TRUE(joint_ && joint_->closed_known);
+  EXPECT_GT(joint_->opening, 0.03);
+}
+
+TEST_F(Closing, LeavesADoorWhereItWasSeenWhileItIsHidden) {
+  show("door", {0, 1, true, false});
+  ASSERT_TRUE(joint_ && joint_->closed_known);
+  const LearnedModel seen = *joint_;
+  for (const double distance : {0.5, 0.0}) {
+    block(distance);
+    EXPECT_NEAR(joint_->q, seen.q, 0.02) << distance;
+    EXPECT_LE(joint_->stamp, seen.stamp) << distance;
+  }
+}
+
+TEST_F(Closing, OfAShutDoorStaysWhileItIsHidden) {
+  show("door", {});
+  const double shut_at = result_.view.stamp;
+  block(0.5);
+  EXPECT_EQ(joint_->opening, 0);
+  EXPECT_NEAR(joint_->stamp, shut_at, 1e-9);
+}
+
+TEST_F(Closing, OfAShutDoorIsLeftWhenItOpensAgain) {
+  show("door", {});
+  expectShut();
+  show("door", {0, 0.5, true, false});
+  EXPECT_NEAR(joint_->opening, 0.5, 0.1);
 }
 
 TEST_F(Closing, OfADoorThatWasAjarAllTheTimeIsUnknown) {
