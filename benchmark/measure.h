@@ -7,10 +7,12 @@
 
 namespace cabinet_articulation::core::evaluation {
 
-/// Times `work` and counts what it takes from the heap, after a first call in which buffers may grow.
+constexpr int kWarmUps = 3;  ///< calls in which buffers may grow; some take turns
+
+/// Times `work` and counts what it takes from the heap.
 template <class Work>
 void measure(benchmark::State& state, Work&& work) {
-  benchmark::DoNotOptimize(work());
+  for (int i = 0; i < kWarmUps; ++i) benchmark::DoNotOptimize(work());
   const Allocations before = allocations();
   for (auto _ : state) benchmark::DoNotOptimize(work());
   const Allocations after = allocations();

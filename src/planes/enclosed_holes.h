@@ -4,6 +4,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "planes/connected_runs.h"
+
 namespace cabinet_articulation::core {
 
 /// Labels the free pixels that a region encloses `kHole` (ours). The pane of a glass door and the mouth of an oven are no
@@ -15,9 +17,11 @@ class EnclosedHoles {
   void label(const std::vector<cv::Point2f>& hull, int inliers, cv::Mat1b* mask);
 
  private:
-  cv::Mat1b open_;      ///< where a way may lead, with a border around; then which of it leads outside
-  cv::Mat1b reached_;   ///< by the flood, with a border around
-  cv::Mat1b enclosed_;  ///< not zero: free and enclosed
+  void findEnclosed(const cv::Size& box);
+
+  cv::Mat1b ways_;  ///< 255 where a way may lead, within the box of a hull
+  ConnectedRuns connected_;
+  std::vector<CellRun> enclosed_;
 };
 
 }  // namespace cabinet_articulation::core

@@ -202,6 +202,7 @@ std::vector<DisparityPlane> PlaneConsensus::process(const DepthFrame& frame) {
   Model& model = *search_->model;
   std::vector<int>& inliers = search_->inliers;
   std::vector<DisparityPlane> planes;
+  planes.reserve(config_.max_planes);
   Eigen::VectorXf found;
   model.setFrame(frame, config_);
   while (static_cast<int>(planes.size()) < config_.max_planes && model.sizeAtLeast(config_.min_inliers)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rectangles/plane_refit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rectangles/image_spans.h"
@@ -30,6 +31,12 @@ void appendRegion(const ImageQuad& quad, const DisparityPlane& plane, const cv::
   set->regions.push_back(region);
 }
 
+/// Nothing for a rectangle of more pixels.
+std::optional<ImageQuad> smallQuad(const RectangleCandidate& candidate, double most) {
+  const std::optional<ImageQuad> quad = candidate.chart.project(candidate.rectangle);
+  return quad && !(area(*quad) > most) ? quad : std::nullopt;
+}
+
 /// The rectangle of another plane with about the same corners in the image.
 std::optional<PlaneRectangle> carriedOver(const ImageQuad& quad, const PlaneChart& chart) {
   std::array<Eigen::Vector2d, 4> corners;
@@ -51,7 +58,9 @@ std::optional<PlaneRectangle> carriedOver(const ImageQuad& quad, const PlaneChar
 PlaneRefit::PlaneRefit(const PlanesConfig& config) : refinement_(config) {}
 
 void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates) {
-  if (frame.left.empty() || frame.right.empty() || candidates->empty()) return;
+  if (frame.left.empty() || frame.right.empty()) return;
+  const auto is_small = [](const RectangleCandidate& candidate) { return smallQuad(candidate, kManyPixels).has_value(); };
+  if (std::none_of(candidates->begin(), candidates->end(), is_small)) return;
   refinement_.setImages(frame);
   for (const double most : {kManyPixels, kFewPixels}) refit(frame, most, candidates);
 }
@@ -62,8 +71,8 @@ void PlaneRefit::refit(const DepthFrame& frame, double most, std::vector<Rectang
   set_.runs.clear();
   small_.clear();
   for (RectangleCandidate& candidate : *candidates) {
-    const auto quad = candidate.chart.project(candidate.rectangle);
-    if (!quad || area(*quad) > most) continue;
+    const std::optional<ImageQuad> quad = smallQuad(candidate, most);
+    if (!quad) continue;
     appendRegion(*quad, candidate.region.disparity_plane, frame.left.size(), &set_);
     small_.push_back({&candidate, *quad});
   }

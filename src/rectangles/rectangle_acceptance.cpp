@@ -45,6 +45,10 @@ bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>
   return std::all_of(kEdges.begin(), kEdges.end(), [&](Edge edge) { return cut[edge] || edge_support[edge] >= kWellSeen; });
 }
 
+bool mayBeBounded(const std::array<float, 4>& most_support, const RectanglesConfig& config) {
+  return 2 * std::accumulate(most_support.begin(), most_support.end(), 0.F) >= config.min_observed_edges;
+}
+
 bool framed(const DetectedRectangle& rectangle, const RectanglesConfig& config) {
   const auto seen = [&](float share) { return share >= config.min_observed_across; };
   const auto& edges = rectangle.edge_support;
@@ -71,6 +75,7 @@ std::vector<DetectedRectangle> selectBest(const std::vector<SupportedRectangle>&
   const auto tracked =
       static_cast<int>(std::count_if(distinct.begin(), distinct.end(), [](const SupportedRectangle* c) { return c->tracked; }));
   std::vector<DetectedRectangle> selected;
+  selected.reserve(std::min<size_t>(distinct.size(), config.max_rectangles));
   int others = std::max(config.max_rectangles - tracked, 0);
   for (const SupportedRectangle* candidate : distinct) {
     if (static_cast<int>(selected.size()) == config.max_rectangles) break;

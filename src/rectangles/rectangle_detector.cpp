@@ -35,7 +35,8 @@ void requireSizes(const DepthFrame& frame, const std::vector<PlaneRegion>& regio
   const cv::Size size(frame.camera.width, frame.camera.height);
   if (!frame.left.empty()) requireSize(frame.left, size, "the left image");
   if (!frame.right.empty()) requireSize(frame.right, size, "the right image");
-  for (size_t i = 0; i < regions.size(); ++i) requireSize(regions[i].mask, size, "the mask of region " + std::to_string(i));
+  for (size_t i = 0; i < regions.size(); ++i)
+    if (regions[i].mask.size() != size) requireSize(regions[i].mask, size, "the mask of region " + std::to_string(i));
 }
 
 /// As the conversion from messages leaves them; asserted only.
@@ -85,6 +86,14 @@ std::array<float, 4> observedShares(const DepthFrame& frame, const RectangleCand
 /// True if a rectangle is where a track has been.
 bool tracked(const Rectangle& rectangle, const std::vector<Rectangle>& expected) {
   return std::any_of(expected.begin(), expected.end(), [&](const Rectangle& track) { return sameSurface(track, rectangle); });
+}
+
+/// False for most pieces of larger surfaces, whose planes and edges then need no refinement. Tracked places are always looked at.
+bool mayPass(const RectangleCandidate& candidate, const std::vector<Rectangle>& expected, const RectanglesConfig& config) {
+  if (candidate.guided) return true;
+  constexpr std::array<bool, 4> kAllConfirmed = {true, true, true, true};
+  const auto most = edgeSupport(candidate.chart, candidate.rectangle, candidate.region.mask, kAllConfirmed);
+  return mayBeBounded(most, config) || tracked(candidate.chart.toSpace(candidate.rectangle), expected);
 }
 
 /// The size of a track stays where neither images nor depth place both edges: an edge that they place carries the other along.
@@ -152,8 +161,10 @@ void RectangleDetector::search(const StereoCamera& camera, const std::vector<Pla
     const std::optional<RegionFit> fit = fitRegion(regions[i], *chart, objective, expected, config_);
     budget.addRows(objective.rowsSeen() - rows);
     if (!fit) continue;
-    RectangleCandidate candidate{i, regions[i], *chart, fit->rectangle, fit->guided};
-    if (!assess(candidate, objective, config_)) continue;
+    const PlaneRegion& region = regions[i];
+    RectangleCandidate candidate{
+        i, {region.plane, region.disparity_plane, region.inliers, {}, region.mask}, *chart, fit->rectangle, fit->guided};
+    if (!assess(candidate, objective, config_) || !mayPass(candidate, expected, config_)) continue;
     budget.addRefinement();
     candidates.push_back(std::move(candidate));
   }
