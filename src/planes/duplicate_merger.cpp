@@ -23,8 +23,10 @@ double meanDifference(const DisparityPlane& other, const GrownRegion& region, co
 }  // namespace
 
 void DuplicateMerger::process(cv::Size image, RegionSet* set) {
-  std::stable_sort(set->regions.begin(), set->regions.end(),
-                   [](const GrownRegion& a, const GrownRegion& b) { return a.cells > b.cells; });
+  // Of equal ones the first that grew: as a stable sort does it, which takes memory.
+  std::sort(set->regions.begin(), set->regions.end(), [](const GrownRegion& a, const GrownRegion& b) {
+    return a.cells != b.cells ? a.cells > b.cells : a.first_run < b.first_run;
+  });
   owner_.create(image.height / kCell, image.width / kCell);
   for (int row = 0; row < owner_.rows; ++row) std::fill_n(owner_[row], owner_.cols, -1);
   kept_.clear();

@@ -45,8 +45,8 @@ bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>
   return std::all_of(kEdges.begin(), kEdges.end(), [&](Edge edge) { return cut[edge] || edge_support[edge] >= kWellSeen; });
 }
 
-bool mayBeBounded(const std::array<float, 4>& most_support, const RectanglesConfig& config) {
-  return 2 * std::accumulate(most_support.begin(), most_support.end(), 0.F) >= config.min_observed_edges;
+bool mayBeBounded(float observed_edges, const RectanglesConfig& config) {
+  return 2 * observed_edges >= config.min_observed_edges;
 }
 
 bool framed(const DetectedRectangle& rectangle, const RectanglesConfig& config) {
@@ -63,8 +63,9 @@ bool sameSurface(const Rectangle& a, const Rectangle& b) {
 std::vector<DetectedRectangle> selectBest(const std::vector<SupportedRectangle>& candidates, const RectanglesConfig& config) {
   std::vector<const SupportedRectangle*> distinct(candidates.size());
   std::transform(candidates.begin(), candidates.end(), distinct.begin(), [](const SupportedRectangle& c) { return &c; });
-  std::stable_sort(distinct.begin(), distinct.end(),
-                   [](const SupportedRectangle* a, const SupportedRectangle* b) { return a->support > b->support; });
+  std::sort(distinct.begin(), distinct.end(), [](const SupportedRectangle* a, const SupportedRectangle* b) {
+    return a->support != b->support ? a->support > b->support : a < b;
+  });
   auto end = distinct.begin();
   for (const SupportedRectangle* candidate : distinct)
     if (std::none_of(distinct.begin(), end, [&](const SupportedRectangle* better) {

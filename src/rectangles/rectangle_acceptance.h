@@ -25,7 +25,8 @@ bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>
 /// False if not even half of the edges that bounded() asks for is in sight before refinement, with all of them confirmed (ours).
 /// Refinement moves edges by a few pixels, which makes up for less: of 4000 fronts without a track that passed in 64 recorded and
 /// rendered sequences, none had less than 0.56 of what is asked.
-bool mayBeBounded(const std::array<float, 4>& most_support, const RectanglesConfig& config);
+/// `observed_edges`: the sum of their support.
+bool mayBeBounded(float observed_edges, const RectanglesConfig& config);
 
 /// False if less than three edges were observed around a hole: that is no frame (ours).
 bool framed(const DetectedRectangle& rectangle, const RectanglesConfig& config);

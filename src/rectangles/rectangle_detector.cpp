@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -91,9 +92,10 @@ bool tracked(const Rectangle& rectangle, const std::vector<Rectangle>& expected)
 /// False for most pieces of larger surfaces, whose planes and edges then need no refinement. Tracked places are always looked at.
 bool mayPass(const RectangleCandidate& candidate, const std::vector<Rectangle>& expected, const RectanglesConfig& config) {
   if (candidate.guided) return true;
-  constexpr std::array<bool, 4> kAllConfirmed = {true, true, true, true};
-  const auto most = edgeSupport(candidate.chart, candidate.rectangle, candidate.region.mask, kAllConfirmed);
-  return mayBeBounded(most, config) || tracked(candidate.chart.toSpace(candidate.rectangle), expected);
+  const std::array all_confirmed{true, true, true, true};
+  const auto most = edgeSupport(candidate.chart, candidate.rectangle, candidate.region.mask, all_confirmed);
+  return mayBeBounded(std::accumulate(most.begin(), most.end(), 0.F), config) ||
+         tracked(candidate.chart.toSpace(candidate.rectangle), expected);
 }
 
 /// The size of a track stays where neither images nor depth place both edges: an edge that they place carries the other along.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 namespace cabinet_articulation::core {
 namespace {
@@ -34,8 +35,8 @@ std::vector<int> regionOrder(const std::vector<PlaneRegion>& regions, const Ster
         std::any_of(expected.begin(), expected.end(), [&](const Rectangle& r) { return holds(region, camera, r); }));
   std::vector<int> order(regions.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return tracked[a] != tracked[b] ? tracked[a] > tracked[b] : regions[a].inliers > regions[b].inliers;
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return std::make_tuple(-tracked[a], -regions[a].inliers, a) < std::make_tuple(-tracked[b], -regions[b].inliers, b);
   });
   return order;
 }

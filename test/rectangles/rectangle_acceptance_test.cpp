@@ -62,14 +62,12 @@ TEST(RectangleAcceptanceTest, TwoEdgesInSumAndOneAcrossEachSideMustBeSeen) {
   EXPECT_FALSE(bounded({0.4F, 0.5F, 0.5F, 0.4F}, none, config));
 }
 
-TEST(RectangleAcceptanceTest, WhatMayBeBoundedIsWhatRefinementMayMakeBounded) {
+TEST(RectangleAcceptanceTest, WhatShowsLessThanHalfOfItsEdgesIsNotRefined) {
   const RectanglesConfig config;
-  const std::array<float, 4> piece = {0.3F, 0.2F, 0.4F, 0}, doubtful = {0.4F, 0.2F, 0.4F, 0.1F};
-  EXPECT_FALSE(mayBeBounded(piece, config));
-  EXPECT_TRUE(mayBeBounded(doubtful, config));
-  const std::array<float, 4> opposite = {0.6F, 0.6F, 0, 0};
-  EXPECT_TRUE(bounded(opposite, {false, false, true, true}, config));
-  EXPECT_TRUE(mayBeBounded(opposite, config)) << "the least that a front may show";
+  EXPECT_FALSE(mayBeBounded(0.9F, config));
+  EXPECT_TRUE(mayBeBounded(1, config));
+  EXPECT_TRUE(bounded({0.6F, 0.6F, 0, 0}, {false, false, true, true}, config));
+  EXPECT_TRUE(mayBeBounded(0.6F + 0.6F, config)) << "the least that a front shows";
 }
 
 TEST(RectangleAcceptanceTest, OfAFrontThatTheImageCutsTheOtherEdgesMustBeSeen) {
