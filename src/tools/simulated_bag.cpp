@@ -22,6 +22,7 @@ constexpr char kUsage[] =
     "  --frames N         default: to the end of the scene's motion\n"
     "  --rounds N         the same frames N times, with the same stamps, as a bag in a loop (default: 1)\n"
     "  --rate HZ          default: 15\n"
+    "  --width N, --height N  of the images, in pixels (default: 640, 480); the view stays as wide\n"
     "  --seed N           varies the scene (default: 1)\n"
     "  --camera NAMESPACE of the topics (default: /stereo)\n"
     "The camera's place in the frame 'world' is in /tf, what is true in SCENE in <camera>/truth.\n";
@@ -58,6 +59,12 @@ void set(const std::string& option, const std::string& value, Options* options) 
   if (option == "frames") options->config.frames = wholeNumber(option, value);
   if (option == "rounds") options->config.rounds = wholeNumber(option, value);
   if (option == "rate") simulation.rate = number(option, value);
+  if (option == "width") {
+    const int width = wholeNumber(option, value);
+    simulation.focal_length *= static_cast<double>(width) / simulation.width;
+    simulation.width = width;
+  }
+  if (option == "height") simulation.height = wholeNumber(option, value);
   if (option == "seed") simulation.scene_seed = wholeNumber(option, value);
   if (option == "camera") options->config.camera = value[0] == '/' ? value : "/" + value;
 }
@@ -65,7 +72,7 @@ void set(const std::string& option, const std::string& value, Options* options) 
 /// Throws std::invalid_argument. Nothing if only help was asked for.
 std::optional<Options> parseOptions(int argc, char** argv) {
   std::vector<option> known;
-  for (const char* name : {"input", "camera-motion", "first", "frames", "rounds", "rate", "seed", "camera"})
+  for (const char* name : {"input", "camera-motion", "first", "frames", "rounds", "rate", "width", "height", "seed", "camera"})
     known.push_back({name, required_argument, nullptr, 'o'});
   known.push_back({"help", no_argument, nullptr, 'h'});
   known.push_back({nullptr, 0, nullptr, 0});
