@@ -22,6 +22,8 @@ flags="-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-o
 flags+=" -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
 # OpenCV's intrinsics load words from wherever they are, on purpose.
 flags+=" -fno-sanitize=alignment"
+# The choice between clones is made before the sanitizers are there, and libFuzzer counts that it was made.
+flags+=" -include $root/test/sanitizers/no_clones.h"
 if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
   clang++ -fsanitize=fuzzer -x c++ - -o /dev/null 2>/dev/null; then
   export libfuzzer=true
