@@ -13,8 +13,8 @@
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "limit_reporter.h"
 #include "measure.h"
-#include "recorded_sequence.h"
-#include "simulated_sources.h"
+#include "sources/recorded_sequence.h"
+#include "sources/simulated_sources.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "articulation/models/model_registry.h"
-#include "interval_coverage.h"
 #include "limit_reporter.h"
 #include "measure.h"
+#include "scores/interval_coverage.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

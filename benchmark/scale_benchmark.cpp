@@ -17,7 +17,7 @@
 #include "allocation_counter.h"
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
-#include "interval_coverage.h"
+#include "scores/interval_coverage.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {
