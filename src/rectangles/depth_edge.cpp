@@ -14,7 +14,7 @@ constexpr int kNearEdge = 6;            ///< [px] inside the edge that side face
 constexpr double kLeastSigma = 0.02;    ///< [px] of disparities that were rounded (ours)
 constexpr double kOutlier = 3;          ///< standard deviations beyond which a pixel shows something else
 constexpr double kMostlySurface = 0.5;  ///< share of the strips inside that a surface fills (ours)
-constexpr double kEnded = 0.25;         ///< share of a full strip below which the surface has ended (ours)
+constexpr double kEnded = 0.25;         ///< share of a full strip below which the surface, or depth, has ended (ours)
 constexpr double kSharedPixels = 9;     ///< along an edge that share an error: the window of depth cameras
 constexpr double kStep = 0.25;          ///< [px] between the face's begins that are tried (ours)
 constexpr int kRounds = 3;              ///< of finding the face's pixels by its begin, and its begin by them (ours)
@@ -71,6 +71,7 @@ DepthEdge::Strips DepthEdge::strips(Halves halves, double face_begin) const {
     Strip& strip = strips[pixel.strip];
     ++(pixel.hidden ? strip.hidden : strip.seen);
     const bool is_hole = std::isnan(pixel.residual);
+    strip.valid += !pixel.hidden && !is_hole;
     const double expected = mean_ + face_.slope * std::max(0.0, placeOf(pixel.strip) - face_begin);
     const bool is_on_surface = is_hole ? pixel.in_plane : std::abs(pixel.residual - expected) <= kOutlier * sigma_;
     if (pixel.hidden || !is_on_surface) continue;
@@ -82,25 +83,31 @@ DepthEdge::Strips DepthEdge::strips(Halves halves, double face_begin) const {
   return strips;
 }
 
-/// [px] A ragged edge lies where as much of the surface is missing inside as there is of it outside.
+/// [px] A ragged edge lies where as much of the surface is missing inside as there is of it outside. Of the pixels near the edge
+/// those without a depth say nothing, for they may be of either surface.
 std::optional<double> DepthEdge::endOf(const Strips& strips) {
-  const auto share = [&strips](int k) { return static_cast<double>(strips[k].surface) / std::max(1, strips[k].seen); };
+  constexpr int kNear = kInside - kNearEdge;  // the first strip that may lie beyond
   double full = 0;
   int inside = 0;
-  for (int k = 0; k < kInside - kNearEdge; ++k) {
-    full += share(k);
+  for (int k = 0; k < kNear; ++k) {
+    full += static_cast<double>(strips[k].surface) / std::max(1, strips[k].seen);
     inside += strips[k].seen > 0;
   }
   if (inside == 0 || full < kMostlySurface * inside) return std::nullopt;
-  full /= inside;
-  if (share(kInside - kNearEdge) < kEnded * full) return std::nullopt;  // it ends farther inside than is looked at
+  if (measuredShare(strips[kNear]) < kEnded) return std::nullopt;  // it ends farther inside than is looked at
   double end = -kNearEdge;
-  for (int k = kInside - kNearEdge; k < kStrips; ++k) {
+  for (int k = kNear; k < kStrips; ++k) {
     if (strips[k].seen <= strips[k].hidden) return std::nullopt;
-    end += std::min(share(k) / full, 1.0);
-    if (share(k) < kEnded * full) return end;
+    const double share = measuredShare(strips[k]);
+    end += share;
+    if (share < kEnded) return end;
   }
   return std::nullopt;
+}
+
+/// How much of a strip near the edge is the surface's, by what has a depth. Where hardly anything has one, depth has ended.
+double DepthEdge::measuredShare(const Strip& strip) {
+  return strip.measured / std::max({1.0, static_cast<double>(strip.valid), kEnded * strip.seen});
 }
 
 /// [px] Where the strips' mean residuals begin to follow the face's slope, by least squares; `end` if they do not.

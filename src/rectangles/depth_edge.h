@@ -15,7 +15,7 @@ namespace cabinet_articulation::core {
 
 /// Where a surface ends in a depth image, from strips of pixels parallel to one edge of a rectangle (ours). A mask follows a
 /// board over its side face for as long as the depth's noise allows: 1 to 5 cm at 2 m. The mean of a strip has a tenth of that
-/// noise.
+/// noise. Its windows make a depth camera lose pixels on both sides of an edge, so there the pixels that have a depth decide.
 class DepthEdge {
  public:
   struct Place {
@@ -46,8 +46,9 @@ class DepthEdge {
   /// Counts of a strip's pixels.
   struct Strip {
     int seen = 0, hidden = 0;
+    int valid = 0;         ///< of those seen, with a depth
     int surface = 0;       ///< on the plane, or on its side face
-    int measured = 0;      ///< of those; the others are small holes in the surface
+    int measured = 0;      ///< of those, with a depth; the others are small holes in the surface
     double residuals = 0;  ///< [px] sum over those
   };
   using Strips = std::array<Strip, kStrips>;
@@ -58,6 +59,7 @@ class DepthEdge {
 
   static double placeOf(int strip) { return strip + 0.5 - kInside; }
   static std::optional<double> endOf(const Strips& strips);
+  static double measuredShare(const Strip& strip);
 
   void addPixels(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge);
   void measureNoise();

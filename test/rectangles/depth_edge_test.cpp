@@ -23,6 +23,25 @@ class DepthEdgeTest : public testing::Test {
     label();
   }
 
+  /// [px] outward from the true edge; negative inside the front.
+  double beyond(Edge edge, double u, double v) const {
+    const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
+    const ImageEdge image = *imageEdge(chart, chart.fromSpace(front_), edge);
+    return image.outward.dot(Eigen::Vector2d(u, v) - image.a);
+  }
+
+  /// Takes the depth of a share of the pixels from `begin` to `end` [px] beyond the edge.
+  void lose(Edge edge, double begin, double end, double share) {
+    std::mt19937 random(2);
+    std::bernoulli_distribution is_lost(share);
+    for (int v = 0; v < camera_.height; ++v)
+      for (int u = 0; u < camera_.width; ++u) {
+        const double place = beyond(edge, u, v);
+        if (place >= begin && place < end && is_lost(random)) frame_.disparity(v, u) = 0;
+      }
+    label();
+  }
+
   /// [m] from the true edge to where depth says it is, from a rectangle that is `wrong` [m] too large.
   std::optional<double> error(Edge edge, double wrong) const {
     const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
@@ -67,7 +86,10 @@ class DepthEdgeTest : public testing::Test {
     for (int v = 0; v < camera_.height; ++v)
       for (int u = 0; u < camera_.width; ++u) {
         const double off = frame_.disparity(v, u) - region_.disparity_plane.at(u, v);
-        region_.mask(v, u) = off > 1 ? kOccluded : off < -1 ? kFree : kInPlane;
+        if (!isValidDisparity(frame_.disparity(v, u)))
+          region_.mask(v, u) = kUnknown;
+        else
+          region_.mask(v, u) = off > 1 ? kOccluded : off < -1 ? kFree : kInPlane;
       }
   }
 
@@ -91,6 +113,23 @@ TEST_F(DepthEdgeHeadOnTest, FindsEdgesWithoutAFace) {
       EXPECT_LT(std::abs(*off), 0.0015) <<  // half a pixel
           "edge " << edge << ", wrong by " << wrong;
     }
+}
+
+TEST_F(DepthEdgeHeadOnTest, PixelsThatAreLostOnBothSidesDoNotShortenAFront) {
+  for (const Edge edge : kEdges) lose(edge, -2, 2, 0.6);
+  for (const Edge edge : kEdges) {
+    const auto off = error(edge, 0);
+    ASSERT_TRUE(off) << edge;
+    EXPECT_LT(std::abs(*off), 0.0015) << "half a pixel, edge " << edge;
+  }
+}
+
+TEST_F(DepthEdgeHeadOnTest, AShadowBeyondAnEdgeIsNotTheFronts) {
+  lose(kEdgePlusX, -2, 0, 0.6);
+  lose(kEdgePlusX, 0, 9, 1);
+  const auto off = error(kEdgePlusX, 0);
+  ASSERT_TRUE(off);
+  EXPECT_LT(std::abs(*off), 0.0015);
 }
 
 TEST_F(DepthEdgeTest, DoesNotTakeTheSideOfABoardForTheFront) {
