@@ -19,18 +19,9 @@ namespace fs = std::filesystem;
 /// [bytes] Ours: a front takes some 50 kB, 90 kB at most, so that nearly 3000 fit.
 constexpr std::size_t kLargestFile = 256U << 20U;
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw ModelFileError("model file '" + path + "': " + what);
-}
-
-/// Runs the work on the file at `path`; its errors name that file.
 template <class Work>
 auto onFile(const std::string& path, const Work& work) {
-  try {
-    return work();
-  } catch (const std::exception& error) {
-    fail(path, error.what());
-  }
+  return withErrorsOf<ModelFileError>("model file '" + path + "'", work);
 }
 
 /// What the file held that is there, or why it cannot be merged.

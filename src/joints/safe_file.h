@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <string>
@@ -10,6 +11,16 @@ namespace cabinet_articulation::core {
 /*
  * Ordinary files that several programs read and replace. All throw std::runtime_error with the reason in words.
  */
+
+/// Runs the work; its errors become one of type Error that says what it was done to.
+template <class Error, class Work>
+auto withErrorsOf(const std::string& what, const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    throw Error(what + ": " + error.what());
+  }
+}
 
 /// What a chain of links ends at, whether that exists or not.
 std::filesystem::path followLinks(std::filesystem::path path);

@@ -36,8 +36,9 @@ Scene makeBifold(cv::RNG* random) {
   builder.hangOnLastJoint();
   builder.addSecondLeaf("second_leaf", {0, width, bottom, top}, 2 * q_max);
   builder.addWallAndFloor(kWallBehind);
-  look({0, -0.1, (bottom + top) / 2}, random->uniform(1.45, 1.55), radians(random->uniform(-5, 5)),
-       radians(random->uniform(22, 27)), &scene);
+  const double elevation = radians(random->uniform(22, 27)), azimuth = radians(random->uniform(-5, 5)),
+               distance = random->uniform(1.45, 1.55);
+  look({0, -0.1, (bottom + top) / 2}, distance, azimuth, elevation, &scene);
   return scene;
 }
 
@@ -61,8 +62,9 @@ Scene makeTrolley(cv::RNG* random) {
   builder.addDrawer("drawer_1", {x0, x1, face, middle}, random->uniform(0.26, 0.32));
   builder.addDrawer("drawer_2", {x0, x1, middle, top}, random->uniform(0.26, 0.32));
   builder.addWallAndFloor(kWallBehind);
-  look({0, -0.1, (bottom + top) / 2 + 0.02}, random->uniform(1.45, 1.55), radians(random->uniform(-8, 8)),
-       radians(random->uniform(25, 30)), &scene);
+  const double elevation = radians(random->uniform(25, 30)), azimuth = radians(random->uniform(-8, 8)),
+               distance = random->uniform(1.45, 1.55);
+  look({0, -0.1, (bottom + top) / 2 + 0.02}, distance, azimuth, elevation, &scene);
   return scene;
 }
 
@@ -81,8 +83,9 @@ Scene makeCupboard(cv::RNG* random) {
   // Beside the open door, which would otherwise be in its way.
   builder.addDrawer("drawer", {x0 + 0.06, x1 - 0.03, bottom + 0.03, drawer_top}, random->uniform(0.22, 0.27), kInside);
   builder.addWallAndFloor(kWallBehind);
-  look({0, -0.15, (bottom + top) / 2}, random->uniform(1.4, 1.5), radians(random->uniform(4, 10)),
-       radians(random->uniform(24, 29)), &scene);
+  const double elevation = radians(random->uniform(24, 29)), azimuth = radians(random->uniform(4, 10)),
+               distance = random->uniform(1.4, 1.5);
+  look({0, -0.15, (bottom + top) / 2}, distance, azimuth, elevation, &scene);
   scene.shoulder.x() += 0.1;
   return scene;
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cabinet_articulation/joints/model_file.h"
+#include "support/throws_saying.h"
 
 namespace cabinet_articulation {
 namespace test {
@@ -39,6 +40,12 @@ class ModelFolder : public testing::Test {
     const size_t at = content.find(from);
     ASSERT_NE(at, std::string::npos) << from;
     write(content.replace(at, from.size(), to));
+  }
+
+  /// Reading the file fails, in words that name it and these.
+  void expectRefused(const std::string& words) const {
+    EXPECT_THAT([&] { core::readModelFile(path_); },
+                ThrowsSaying<core::ModelFileError>(testing::AllOf(testing::HasSubstr(path_), testing::HasSubstr(words))));
   }
 
   int filesInFolder() const {
