@@ -69,8 +69,8 @@ bool isSignificant(const BendVector& bend, const BendMatrix& covariance, std::si
   return gaussianOf(f, kBendTerms, free) > kSignificance;
 }
 
-/// Its expectation, if all terms come from one Gaussian, whose variance is the likeliest one.
-BendVector shrunk(const BendVector& bend, const BendMatrix& covariance) {
+/// Its expectation and covariance, if all terms come from one Gaussian, whose variance is the likeliest one.
+BendEstimate shrunk(const BendVector& bend, const BendMatrix& covariance) {
   const Eigen::SelfAdjointEigenSolver<BendMatrix> axes(covariance);
   const Eigen::Array<double, kBendTerms, 1> noise = axes.eigenvalues().array().max(0);
   const BendVector along = axes.eigenvectors().transpose() * bend;
@@ -80,14 +80,16 @@ BendVector shrunk(const BendVector& bend, const BendMatrix& covariance) {
     const Eigen::Array<double, kBendTerms, 1> weights = (noise + variance).square().inverse();
     variance = std::max(0.0, (weights * (squares - noise)).sum() / weights.sum());
   }
-  if (!(variance > 0)) return BendVector::Zero();
-  return axes.eigenvectors() * (along.array() * variance / (noise + variance)).matrix();
+  if (!(variance > 0)) return {};
+  const Eigen::Array<double, kBendTerms, 1> share = variance / (noise + variance);
+  return {axes.eigenvectors() * (along.array() * share).matrix(),
+          axes.eigenvectors() * (noise * share).matrix().asDiagonal() * axes.eigenvectors().transpose()};
 }
 
 }  // namespace
 
-BendVector estimateBend(const std::vector<BendView>& views) {
-  if (views.size() < kLeastViews) return BendVector::Zero();
+BendEstimate estimateBend(const std::vector<BendView>& views) {
+  if (views.size() < kLeastViews) return {};
   BendVector bend = BendVector::Zero(), weights_at;
   Sums sums;
   for (int i = 0; i < kReweightings; ++i) {
@@ -96,7 +98,7 @@ BendVector estimateBend(const std::vector<BendView>& views) {
     bend = sums.solve();
   }
   const BendMatrix covariance = covarianceOf(views, weights_at, sums, bend);
-  return isSignificant(bend, covariance, views.size()) ? shrunk(bend, covariance) : BendVector::Zero();
+  return isSignificant(bend, covariance, views.size()) ? shrunk(bend, covariance) : BendEstimate();
 }
 
 }  // namespace cabinet_articulation::core

@@ -12,6 +12,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kMostViews = 200;  ///< ours: 48 suffice, and an estimate from 200 takes 1 ms
+constexpr int kSamples = 16;             ///< [1] in each direction: terms have a degree of 4
 constexpr double kMuchLarger = 1.25;     ///< ratio of pixels (ours) from which on a sight is measured again
 
 /// Files have twelve digits.
@@ -22,12 +23,25 @@ bool sameCamera(const StereoCamera& a, const StereoCamera& b) {
          same(a.cy, b.cy) && same(a.baseline, b.baseline);
 }
 
+/// [px] Two standard deviations of the bend, where it is least certain. It is smooth: samples suffice.
+double uncertainty(const BendMatrix& covariance, cv::Size image) {
+  const BendBasis basis(image);
+  double most = 0;
+  for (int row = 0; row <= kSamples; ++row)
+    for (int col = 0; col <= kSamples; ++col) {
+      const BendVector terms = basis.at(col * (image.width - 1) / kSamples, row * (image.height - 1) / kSamples);
+      most = std::max(most, terms.dot(covariance * terms));
+    }
+  return 2 * std::sqrt(most);
+}
+
 }  // namespace
 
 void SensorBend::startFrom(const KnownBend& earlier) {
   *this = SensorBend();
   camera_ = earlier.camera;
   bend_ = earlier.bend;
+  remaining_ = earlier.remaining;
   earlier_views_ = std::min(earlier.views, kMostViews);
   correction_.prepare({camera_.width, camera_.height}, bend_);
 }
@@ -46,8 +60,11 @@ void SensorBend::learn(const DepthFrame& frame, const std::vector<PlaneRegion>& 
     if (showsBend(region)) is_new = add(frame, region) || is_new;
   if (!is_new || views_.size() < earlier_views_) return;
   earlier_views_ = 0;
-  bend_ = estimateBend(views_);
-  if (isKnown()) correction_.prepare(frame.disparity.size(), bend_);
+  const BendEstimate estimate = estimateBend(views_);
+  bend_ = estimate.bend;
+  if (!isKnown()) return;
+  correction_.prepare(frame.disparity.size(), bend_);
+  remaining_ = std::min(uncertainty(estimate.covariance, frame.disparity.size()), kMostBend);
 }
 
 void SensorBend::follow(const StereoCamera& camera) {

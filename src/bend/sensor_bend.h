@@ -9,6 +9,7 @@
 #include "bend/bend_correction.h"
 #include "bend/bend_view.h"
 #include "cabinet_articulation/planes/plane_region.h"
+#include "cabinet_articulation/planes/plane_segmenter.h"
 #include "cabinet_articulation/stereo/depth_frame.h"
 
 namespace cabinet_articulation::core {
@@ -17,7 +18,8 @@ namespace cabinet_articulation::core {
 struct KnownBend {
   StereoCamera camera;
   BendVector bend = BendVector::Zero();
-  std::size_t views = 0;  ///< that it is known from
+  std::size_t views = 0;         ///< that it is known from
+  double remaining = kMostBend;  ///< [px] that may be left of it
 };
 
 /// Learns while running how a depth camera bends what is flat: a smooth error of the disparity [px] that is fixed in the image.
@@ -49,9 +51,13 @@ class SensorBend {
   /// [px] anywhere in the image.
   double largest() const { return isKnown() ? correction_.largest() : 0; }
 
+  /// [px] By which a corrected frame may still be bent, anywhere in the image: two standard deviations. kMostBend until it is
+  /// known.
+  double remaining() const { return isKnown() ? remaining_ : kMostBend; }
+
   std::size_t views() const { return std::max(views_.size(), earlier_views_); }
 
-  KnownBend known() const { return {camera_, bend_, views()}; }
+  KnownBend known() const { return {camera_, bend_, views(), remaining()}; }
 
   /// The largest correction and from how many views, in words; empty before the first frame of a depth camera.
   std::string inWords() const;
@@ -67,6 +73,7 @@ class SensorBend {
   std::size_t oldest_ = 0;         ///< the view that is replaced next, once there are as many as may be
   std::size_t earlier_views_ = 0;  ///< of an earlier run that knows more than this one
   BendVector bend_ = BendVector::Zero();
+  double remaining_ = kMostBend;  ///< [px]
 };
 
 }  // namespace cabinet_articulation::core

@@ -26,6 +26,7 @@ YAML::Node toYaml(const std::string& frame, const KnownBend& known) {
   node["principal_point"] = yaml::list(yaml::Numbers{camera.cx, camera.cy});
   node["baseline"] = yaml::toText(camera.baseline);
   node["views"] = known.views;
+  node["remaining"] = yaml::toText(known.remaining);
   node["bend"] = yaml::list(yaml::Numbers(known.bend.data(), known.bend.data() + kBendTerms));
   return node;
 }
@@ -45,6 +46,7 @@ KnownBend fromYaml(const YAML::Node& node) {
   camera.cy = middle[1];
   camera.baseline = yaml::within(node["baseline"], "baseline", limits::kBaseline);
   known.views = yaml::count(node["views"], "views", kMostViews);
+  if (node["remaining"].IsDefined()) known.remaining = yaml::within(node["remaining"], "remaining", {0, kMostBend, "px"});
   const yaml::Numbers bend = yaml::numbers(node["bend"], "bend", kBendTerms);
   for (const double term : bend) requireWithin("bend", term, limits::kBend);
   known.bend = BendVector(bend.data());
@@ -68,14 +70,9 @@ BendsOfCameras fromText(const std::string& text) {
   return bends;
 }
 
-/// Runs the work on the file at `path`; its errors name that file.
 template <class Work>
 auto onFile(const std::string& path, const Work& work) {
-  try {
-    return work();
-  } catch (const std::exception& error) {
-    throw std::runtime_error("bend file '" + path + "': " + error.what());
-  }
+  return withErrorsOf<std::runtime_error>("bend file '" + path + "'", work);
 }
 
 BendsOfCameras readIfThere(const std::filesystem::path& path) {

@@ -24,6 +24,7 @@ PlanesConfig paperPlanes() {
   config.max_planes = 1000;      // "until no more points remain" (release: 10)
   config.min_inliers = 6;        // release: it ends when 100 pixels are left, of which RANSAC sees every 16th
   config.refine = false;
+  config.bend = false;
   return config;
 }
 

@@ -49,7 +49,7 @@ PipelineConfig PipelineConfig::load(const std::string& directory, std::vector<st
 
 Pipeline::Pipeline(const PipelineConfig& config)
     : stereo_(config.stereo),
-      bend_(config.planes.refine ? std::make_unique<SensorBend>() : nullptr),
+      bend_(config.planes.bend ? std::make_unique<SensorBend>() : nullptr),
       planes_(config.planes),
       rectangles_(config.rectangles, config.planes),
       tracking_(config.tracking),
@@ -76,7 +76,7 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   DepthFrame flat = frame;
   result.planes = timed(times.planes, [&] {
     if (bend_) flat = bend_->correct(frame);
-    std::vector<PlaneRegion> planes = planes_.process(flat);
+    std::vector<PlaneRegion> planes = planes_.process(flat, bend_ ? bend_->remaining() : kMostBend);
     if (bend_) bend_->learn(frame, planes);
     return planes;
   });
@@ -104,6 +104,8 @@ PipelineResult Pipeline::process(double stamp, const DepthFrame& frame, const Ei
   result.tracks = &known_.tracks();
   return result;
 }
+
+SensorBend* Pipeline::sensorBend() { return bend_.get(); }
 
 std::string Pipeline::bend() const { return bend_ ? bend_->inWords() : ""; }
 

@@ -15,9 +15,7 @@ constexpr int kImprovements = 8;
 constexpr double kLeastPart = 2500;       ///< [px] a smaller part has its plane from noise
 constexpr double kIndependent = 15 * 15;  ///< [px] a window of block matching, within which noise is one and the same
 constexpr double kSignificance = 100;     ///< gain in squares over their variance; chance gives 4, for four more unknowns
-/// [px] that planes stand apart at least: twice what calibrations of pairs bend them by, and more than the 0.75 px by which a
-/// PrimeSense camera bends a flat board (measured).
-constexpr double kStandsOut[] = {0.3, 0.8};
+constexpr double kStandsOut = 0.3;  ///< [px] that planes stand apart at least: twice what calibrations of pairs bend them by
 
 constexpr int kSamplePixels = kStep * kCell * kStep * kCell;
 constexpr int kLeastSamples = static_cast<int>(kLeastPart) / kSamplePixels;
@@ -26,7 +24,8 @@ DisparityPlane sum(const DisparityPlane& p, const DisparityPlane& q) { return {p
 
 }  // namespace
 
-std::optional<Fold> FoldSearch::process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, bool is_pair) {
+std::optional<Fold> FoldSearch::process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set,
+                                        double may_bend) {
   if (region.cells * kCell * kCell < 2 * kLeastPart) return std::nullopt;
   fillBlocks(cells, region, set);
   PlaneFit all;
@@ -37,7 +36,7 @@ std::optional<Fold> FoldSearch::process(const cv::Mat1f& cells, const GrownRegio
   std::optional<Halves> halves = improve(*start);
   const std::optional<Halves> swapped = improve(*solve(start->second, start->first));
   if (swapped && (!halves || swapped->squares < halves->squares)) halves = swapped;
-  if (!halves || !(apart(halves->fold) > kStandsOut[is_pair ? 0 : 1])) return std::nullopt;
+  if (!halves || !(apart(halves->fold) > std::hypot(kStandsOut, may_bend))) return std::nullopt;
   const double independent = all.count() * kSamplePixels / kIndependent;
   if (!((all.squares(*flat) - halves->squares) * independent > kSignificance * halves->squares)) return std::nullopt;
   Fold fold = halves->fold;

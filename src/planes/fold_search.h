@@ -24,9 +24,9 @@ struct Fold {
 class FoldSearch {
  public:
   /// The two planes that explain the region's cells best. Nothing unless they do so significantly better than one plane
-  /// does. They must also stand apart on both sides of the line where they meet, by more than a calibration bends a plane: that
-  /// of a pair (`is_pair`), or that of a depth camera.
-  std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, bool is_pair);
+  /// does. They must also stand apart on both sides of the line where they meet, by more than a calibration bends a plane and
+  /// than a depth camera `may_bend` one [px]; 0 for a pair.
+  std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, double may_bend);
 
   /// Whether a cell is on the last fold's first surface, or so near to it that blocks do not tell.
   bool nearFirst(int row, int col) const { return near_first_[blockOf(row, col)] != 0; }

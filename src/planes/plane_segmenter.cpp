@@ -128,13 +128,13 @@ PlaneSegmenter::PlaneSegmenter(const PlanesConfig& config) : config_(config), bu
 
 PlaneSegmenter::~PlaneSegmenter() = default;
 
-std::vector<PlaneRegion> PlaneSegmenter::process(const DepthFrame& frame) {
+std::vector<PlaneRegion> PlaneSegmenter::process(const DepthFrame& frame, double may_bend) {
   assert(frame.camera.isSane());
   requireSameSizes(frame);
-  return config_.method == "paper" ? wholePlanes(frame) : connectedRegions(frame);
+  return config_.method == "paper" ? wholePlanes(frame) : connectedRegions(frame, frame.left.empty() ? may_bend : 0);
 }
 
-std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& input) {
+std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& input, double may_bend) {
   Buffers& b = *buffers_;
   fillHoles(input.disparity, &b.disparity);
   DepthFrame frame = input;
@@ -145,7 +145,7 @@ std::vector<PlaneRegion> PlaneSegmenter::connectedRegions(const DepthFrame& inpu
   // Each fold appends runs or drops its region; without one, nothing could merge again.
   const auto size = [&set] { return std::make_pair(set.regions.size(), set.runs.size()); };
   const auto flat = size();
-  b.growing.unfold(frame, &b.fold_search);
+  b.growing.unfold(frame.camera, may_bend, &b.fold_search);
   if (size() != flat) b.merger.process(disparity.size(), &set);
   b.growing.trim(b.competition.processCells(b.growing.cells(), set));
   b.merger.process(disparity.size(), &set);

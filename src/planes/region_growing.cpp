@@ -77,16 +77,16 @@ RegionSet& RegionGrowing::trim(const cv::Mat1f& limit) {
   return set_;
 }
 
-RegionSet& RegionGrowing::unfold(const DepthFrame& frame, FoldSearch* search) {
+RegionSet& RegionGrowing::unfold(const StereoCamera& camera, double may_bend, FoldSearch* search) {
   const int n = static_cast<int>(set_.regions.size());
   for (int i = 0; i < n; ++i) {
     const GrownRegion bent = set_.regions[i];
-    const auto fold = search->process(disparity_, bent, set_, !frame.left.empty());
+    const auto fold = search->process(disparity_, bent, set_, may_bend);
     if (!fold) continue;
-    markInPlane(fold->first, frame.camera);
+    markInPlane(fold->first, camera);
     clear(bent, [&](int row, int col) { return fold->ahead(col * kCell, row * kCell) < 0; });
     addPart(bent, fold->first);
-    markInPlane(fold->second, frame.camera);
+    markInPlane(fold->second, camera);
     clear(bent, [&](int row, int col) { return search->nearFirst(row, col) && fold->ahead(col * kCell, row * kCell) > 0; });
     addPart(bent, fold->second);
     set_.regions[i].cells = 0;

@@ -43,7 +43,8 @@ class RegionGrowing {
   RegionSet& trim(const cv::Mat1f& limit);
 
   /// The last result with two regions in place of each that is bent, grown from the planes on either side of its fold.
-  RegionSet& unfold(const DepthFrame& frame, FoldSearch* search);
+  /// `may_bend`: as FoldSearch.
+  RegionSet& unfold(const StereoCamera& camera, double may_bend, FoldSearch* search);
 
   /// The disparity of each cell; far below zero where nothing was measured.
   const cv::Mat1f& cells() const { return disparity_; }

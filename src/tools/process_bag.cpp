@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cabinet_articulation/ros/conversions.h"
+#include "pipeline/kept_bends.h"
 #include "ros/clock_jump.h"
 #include "tools/bag_tool_options.h"
 #include "tools/bag_transforms.h"
@@ -28,12 +29,14 @@ constexpr char kUsage[] =
     "  --config DIR        stereo.yaml, planes.yaml, ...; a missing file means that stage's defaults\n"
     "  --fixed-frame FRAME all poses in this frame, by the bag's tf (default: the left camera's optical frame)\n"
     "  --camera-rectangles rectangles in the camera's frame, as the nodelets publish them\n"
+    "  --bend-file FILE    how depth cameras bend what is flat: read if it is there, saved at the end\n"
     "  --report FOLDER     writes FOLDER/index.html too, a page that shows what was seen and learned\n";
 
 struct ProcessBagOptions : BagToolOptions {
   std::string fixed_frame;
-  std::string report;   ///< folder; empty: none
-  std::string command;  ///< as it was given
+  std::string bend_file;  ///< empty: none
+  std::string report;     ///< folder; empty: none
+  std::string command;    ///< as it was given
   bool camera_rectangles = false;
 };
 
@@ -42,6 +45,7 @@ std::optional<ProcessBagOptions> parseOptions(int argc, char** argv) {
   ProcessBagOptions options;
   const std::vector<Choice> own{
       {"fixed-frame", required_argument, [&options](const char* frame) { options.fixed_frame = frame; }},
+      {"bend-file", required_argument, [&options](const char* file) { options.bend_file = file; }},
       {"report", required_argument, [&options](const char* folder) { options.report = folder; }},
       {"camera-rectangles", no_argument, [&options](const char*) { options.camera_rectangles = true; }}};
   for (int i = 0; i < argc; ++i) options.command += (i > 0 ? " " : "") + std::string(argv[i]);
@@ -73,6 +77,7 @@ class Run {
         progress_(input_.expectedFrames()),
         pipeline_(config_),
         matcher_(config_.stereo) {
+    if (!options.bend_file.empty()) kept_bends_.read(options.bend_file);
     if (!options.report.empty()) report_.emplace(options.report);
     if (options.fixed_frame.empty()) return;
     transforms_.emplace(input_.bag());
@@ -89,6 +94,7 @@ class Run {
         &skipped_);
     progress_.clear();
     if (output_) output_->close(header_, pipeline_.tracks());
+    if (const core::SensorBend* bend = pipeline_.sensorBend()) kept_bends_.save(*bend);
   }
 
   /// `failure` is what ended the run before its time; empty if nothing did.
@@ -121,6 +127,7 @@ class Run {
       }
     }
     header_ = header;
+    if (core::SensorBend* bend = pipeline_.sensorBend()) kept_bends_.follow(camera.frame_id, bend);
     const double stamp = header.stamp.toSec();
     const core::PipelineResult result = frame.disparity.empty()
                                             ? pipeline_.process(stamp, frame.left, frame.right, frame.camera, T_fixed_camera)
@@ -174,6 +181,7 @@ class Run {
   FrameBag input_;
   Progress progress_;
   core::Pipeline pipeline_;
+  core::KeptBends kept_bends_;
   core::BlockMatcher matcher_;  ///< for pairs that are tried the other way round
   core::SwapWatch swap_;
   bool said_swapped_ = false;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <functional>
 
 namespace cabinet_articulation::core {
@@ -48,29 +49,39 @@ BendVector exampleBend() {
 double errorOf(const BendVector& found) { return (found - exampleBend()).norm() / exampleBend().norm(); }
 
 TEST(BendEstimate, FindsABendThatAllViewsShare) {
-  EXPECT_LT(errorOf(estimateBend(viewsOf(exampleBend(), 200, 0.05))), 0.1);
-  EXPECT_LT(errorOf(estimateBend(viewsOf(exampleBend(), 60, 0))), 0.01);
+  EXPECT_LT(errorOf(estimateBend(viewsOf(exampleBend(), 200, 0.05)).bend), 0.1);
+  EXPECT_LT(errorOf(estimateBend(viewsOf(exampleBend(), 60, 0)).bend), 0.01);
 }
 
-TEST(BendEstimate, FewViewsTellNothing) { EXPECT_TRUE(estimateBend(viewsOf(exampleBend(), 47, 0.02)).isZero(0)); }
+TEST(BendEstimate, SaysHowFarItMayBeWrong) {
+  const BendEstimate few = estimateBend(viewsOf(exampleBend(), 60, 0.2)), many = estimateBend(viewsOf(exampleBend(), 200, 0.2));
+  EXPECT_LT(many.covariance.trace(), few.covariance.trace());
+  for (const BendEstimate& found : {few, many}) {
+    const BendVector error = found.bend - exampleBend();
+    const double squared = error.dot(found.covariance.llt().solve(error));
+    EXPECT_LT(squared, 32.9) << "as chi-squared of 12 degrees of freedom, but once in a thousand times";
+  }
+}
+
+TEST(BendEstimate, FewViewsTellNothing) { EXPECT_TRUE(estimateBend(viewsOf(exampleBend(), 47, 0.02)).bend.isZero(0)); }
 
 TEST(BendEstimate, NoiseIsNoBend) {
   for (const int count : {48, 60, 100, 200})
-    EXPECT_TRUE(estimateBend(viewsOf(BendVector::Zero(), count, 0.2)).isZero(0)) << count << " views";
+    EXPECT_TRUE(estimateBend(viewsOf(BendVector::Zero(), count, 0.2)).bend.isZero(0)) << count << " views";
 }
 
 /// A fold across the image, at another place in each view.
 TEST(BendEstimate, AFoldThatMovesIsNoBend) {
   const auto fold = [](int i, int u, int) { return std::max(0, u - (37 * i) % kSize.width) * 0.02; };
   for (const int count : {48, 80, 200}) {
-    const BendVector found = estimateBend(viewsOf(BendVector::Zero(), count, 0.05, fold));
+    const BendVector found = estimateBend(viewsOf(BendVector::Zero(), count, 0.05, fold)).bend;
     EXPECT_TRUE(found.isZero(0)) << count << " views: " << found.transpose();
   }
 }
 
 TEST(BendEstimate, ViewsOfBentSurfacesDoNotSpoilTheOthers) {
   const auto bowl = [](int i, int u, int) { return i % 5 == 0 ? (u - 80.0) * (u - 80.0) * 3e-4 : 0; };
-  EXPECT_LT(errorOf(estimateBend(viewsOf(exampleBend(), 200, 0.05, bowl))), 0.1);
+  EXPECT_LT(errorOf(estimateBend(viewsOf(exampleBend(), 200, 0.05, bowl)).bend), 0.1);
 }
 
 }  // namespace

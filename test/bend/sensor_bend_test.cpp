@@ -65,7 +65,7 @@ class Kitchen {
 
 class SensorBendOnTour : public testing::Test {
  protected:
-  void show(const DepthFrame& frame) { bend_.learn(frame, planes_.process(bend_.correct(frame))); }
+  void show(const DepthFrame& frame) { bend_.learn(frame, planes_.process(bend_.correct(frame), bend_.remaining())); }
 
   cv::Mat1f found() const {
     cv::Mat1f image;
@@ -94,6 +94,7 @@ TEST_F(SensorBendOnTour, ABendOfOnePixelIsFound) {
   for (int i = 0; i < 250; ++i) show(kitchen_.onTour(i));
   const double error = cv::norm(found() - dome(), cv::NORM_L2) / cv::norm(dome(), cv::NORM_L2);
   EXPECT_LT(error, 0.2) << bend_.inWords();
+  EXPECT_LT(bend_.remaining(), kMostBend / 2) << "so smaller folds are found";
 }
 
 TEST_F(SensorBendOnTour, TheSameFramesGiveTheSameBits) {
@@ -117,6 +118,7 @@ TEST_F(SensorBendOnTour, AnotherCameraBeginsAnew) {
   other.camera.fx += 1;
   EXPECT_EQ(bend_.correct(other).disparity.data, other.disparity.data);
   EXPECT_EQ(bend_.views(), 0U);
+  EXPECT_EQ(bend_.remaining(), kMostBend);
 }
 
 TEST_F(SensorBendOnTour, APairIsLeftAlone) {

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ['planes', 'rectangles', 'tracking', 'articulation']
+FOLDERS = ['planes', 'rectangles', 'tracking', 'articulation', 'bend', 'kinds', 'structure', 'closing']
 NUMBER = re.compile(r'(?<![\w.])(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)[fFuUlL]*(?![\w.])')
 CONSTANT = re.compile(r'\bk[A-Z]\w*(?:\[\])?\s*[={]\s*[^;,]*')
 DEFAULT = re.compile(r'^  (?:double|int|float|bool|std::string) \w+ = ', re.MULTILINE)

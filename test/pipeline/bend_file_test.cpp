@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "pipeline/kept_bends.h"
+
 namespace cabinet_articulation::core {
 namespace {
 
@@ -23,6 +25,7 @@ class BendFile : public testing::Test {
     known.camera = {640, 480, 525.123456789, 525, 319.5, 239.5, 0.075, 0};
     known.bend = BendVector::LinSpaced(-0.1, 0.2) * scale;
     known.views = 81;
+    known.remaining = 0.125;
     return known;
   }
 
@@ -44,9 +47,24 @@ TEST_F(BendFile, WhatWasSavedComesBack) {
   const KnownBend back = readBendFile(file_).at("kinect");
   EXPECT_TRUE(back.bend.isApprox(example(1).bend, 1e-11));
   EXPECT_EQ(back.views, 81U);
+  EXPECT_EQ(back.remaining, 0.125);
   EXPECT_EQ(back.camera.width, 640);
   EXPECT_NEAR(back.camera.fx, 525.123456789, 1e-9);
   EXPECT_EQ(back.camera.baseline, 0.075);
+}
+
+TEST_F(BendFile, EachCameraBeginsWithWhatIsKnownOfIt) {
+  saveBends(file_, {{"kinect", example(1)}});
+  KeptBends kept;
+  kept.read(file_);
+  EXPECT_EQ(kept.size(), 1U);
+  SensorBend bend;
+  kept.follow("other", &bend);
+  EXPECT_FALSE(bend.isKnown());
+  kept.follow("kinect", &bend);
+  EXPECT_TRUE(bend.isKnown());
+  EXPECT_EQ(bend.remaining(), 0.125);
+  EXPECT_EQ(kept.save(bend), 0U) << "nothing was learned since";
 }
 
 TEST_F(BendFile, OtherCamerasStay) {

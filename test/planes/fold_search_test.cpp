@@ -8,6 +8,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "cabinet_articulation/planes/plane_segmenter.h"
 #include "stereo/synthetic_pair.h"
 
 namespace cabinet_articulation::core {
@@ -33,12 +34,12 @@ cv::Mat1f measure(const Surface& surface) {
   return cells;
 }
 
-std::optional<Fold> search(const Surface& surface, FoldSearch* search, bool is_pair = true) {
+std::optional<Fold> search(const Surface& surface, FoldSearch* search, double may_bend = 0) {
   RegionSet set;
   for (int row = kArea.y / kCell; row < kArea.br().y / kCell; ++row)
     set.runs.push_back({row, kArea.x / kCell, kArea.br().x / kCell});
   set.regions.push_back({kFixed, 0, static_cast<int>(set.runs.size()), kArea.area() / kCell / kCell});
-  return search->process(measure(surface), set.regions[0], set, is_pair);
+  return search->process(measure(surface), set.regions[0], set, may_bend);
 }
 
 std::optional<Fold> search(const Surface& surface) {
@@ -76,9 +77,10 @@ TEST(FoldSearch, WhatADepthCameraBendsIsOne) {
   // As the flat board before a PrimeSense camera: 4 degrees about its middle column, 0.75 px at the ends.
   const auto bent = [](double slope) { return [slope](double u, double) { return slope * std::abs(u - kArea.x - 150); }; };
   FoldSearch folds;
-  EXPECT_FALSE(search(bent(0.0025), &folds, false));
-  EXPECT_TRUE(search(bent(0.0025), &folds, true)) << "no pair that is calibrated does that";
-  EXPECT_TRUE(search(bent(0.004), &folds, false)) << "a door";
+  EXPECT_FALSE(search(bent(0.0025), &folds, kMostBend));
+  EXPECT_TRUE(search(bent(0.0025), &folds, 0)) << "no pair that is calibrated does that";
+  EXPECT_TRUE(search(bent(0.004), &folds, kMostBend)) << "a door";
+  EXPECT_TRUE(search(bent(0.0025), &folds, 0.1)) << "of a camera whose bend is known";
 }
 
 TEST(FoldSearch, AStepIsNoFold) {

@@ -79,8 +79,11 @@ class Pipeline {
 
   const std::vector<Track>& tracks() const { return known_.tracks(); }
 
-  /// What is known of the bend of a depth camera, in words; empty for a pair, or if planes are not to be refined.
+  /// What is known of the bend of a depth camera, in words; empty for a pair, or without the setting `bend`.
   std::string bend() const;
+
+  /// The same, for who keeps it from run to run; null without the setting `bend`.
+  SensorBend* sensorBend();
 
   /// Forgets all tracks and models; the bend of the camera stays.
   void reset();
@@ -93,7 +96,7 @@ class Pipeline {
   void tellTrackerOfJoints();
 
   BlockMatcher stereo_;
-  std::unique_ptr<SensorBend> bend_;  ///< none if planes are not to be refined
+  std::unique_ptr<SensorBend> bend_;  ///< none without the setting `bend`
   PlaneSegmenter planes_;
   RectangleDetector rectangles_;
   RectangleTracker tracking_;

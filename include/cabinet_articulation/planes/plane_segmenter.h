@@ -10,6 +10,10 @@
 
 namespace cabinet_articulation::core {
 
+/// [px] By which a depth camera bends what is flat at most, as long as nobody knows better: a PrimeSense does so with a flat
+/// board (measured).
+constexpr double kMostBend = 0.75;
+
 /// Paper III-B.1: the planes of a frame and their masks. Buffers are kept between frames, and so is the memory of the masks
 /// that nobody holds any more.
 class PlaneSegmenter {
@@ -19,10 +23,11 @@ class PlaneSegmenter {
 
   /// The regions, largest first. An empty or all-invalid disparity gives none. The same frame gives the same regions,
   /// whatever came before. Throws std::invalid_argument if there are images of another size than the disparity.
-  std::vector<PlaneRegion> process(const DepthFrame& frame);
+  /// `may_bend`: what a depth camera may still bend of what is flat [px]; a fold stands out by more. Pairs do not.
+  std::vector<PlaneRegion> process(const DepthFrame& frame, double may_bend = kMostBend);
 
  private:
-  std::vector<PlaneRegion> connectedRegions(const DepthFrame& input);
+  std::vector<PlaneRegion> connectedRegions(const DepthFrame& input, double may_bend);
   std::vector<PlaneRegion> wholePlanes(const DepthFrame& frame) const;
 
   struct Buffers;

@@ -31,6 +31,7 @@ struct PlanesConfig {
   double duplicate_overlap = 0.5;
 
   bool refine = true;
+  bool bend = true;
   int refine_iterations = 6;
   int refine_pixels = 6000;
   double refine_max_shift = 1.5;  ///< [px]
@@ -61,9 +62,8 @@ struct PlanesConfig {
     visit("max_regions", self.max_regions, Range{1, 1000}, "", "the largest regions are kept");
     visit("duplicate_overlap", self.duplicate_overlap, Range{0.05, 1}, "",
           "a region that shares this part of its pixels with a larger one is a duplicate, if the planes agree");
-    visit("refine", self.refine,
-          "refine each region's plane on the two images; without images, learn by how much the depth camera bends what is "
-          "flat, and take it away");
+    visit("refine", self.refine, "refine each region's plane on the two images");
+    visit("bend", self.bend, "learn by how much a depth camera bends what is flat, and take it away");
     visit("refine_iterations", self.refine_iterations, Range{1, 50}, "", "most Gauss-Newton steps");
     visit("refine_pixels", self.refine_pixels, Range{100, 1000000}, "", "most pixels of a region that are compared");
     visit("refine_max_shift", self.refine_max_shift, Range{0.01, 100}, "px",

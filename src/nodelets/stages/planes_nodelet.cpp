@@ -5,7 +5,7 @@
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "nodelets/input/frame_input.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "pipeline/bend_file.h"
+#include "pipeline/kept_bends.h"
 #include "ros/plane_messages.h"
 
 namespace cabinet_articulation {
@@ -37,7 +37,7 @@ class PlanesStage : public StageNodelet {
     loadSettings(config, file, input, sync, transport);
     const auto apply = [this](const core::PlanesConfig& tuned) {
       segmenter_ = std::make_unique<core::PlaneSegmenter>(tuned);
-      refine_ = tuned.refine;
+      unbends_ = tuned.bend;
     };
     apply(config);
     offerTuning<core::PlanesConfig>(config, apply);
@@ -51,9 +51,9 @@ class PlanesStage : public StageNodelet {
   void loadBends(const std::string& file) {
     if (file.empty()) return;
     try {
-      bends_ = core::readBendFile(file);
+      kept_.read(file);
       bend_file_ = file;
-      NODELET_INFO("%s: bends of %zu cameras read from '%s'", getName().c_str(), bends_.size(), file.c_str());
+      NODELET_INFO("%s: bends of %zu cameras read from '%s'", getName().c_str(), kept_.size(), file.c_str());
     } catch (const std::exception& error) {
       const std::string text = std::string(error.what()) + "; it is left as it is, and nothing will be saved to it";
       health().setLasting("bend_file", text);
@@ -62,30 +62,12 @@ class PlanesStage : public StageNodelet {
   }
 
   void finish() override {
-    keepBend();
-    if (bend_file_.empty() || learned_.empty()) return;
     try {
-      core::saveBends(bend_file_, learned_);
-      NODELET_INFO("%s: bends of %zu cameras saved to '%s'", getName().c_str(), learned_.size(), bend_file_.c_str());
+      const std::size_t saved = kept_.save(bend_);
+      if (saved > 0) NODELET_INFO("%s: bends of %zu cameras saved to '%s'", getName().c_str(), saved, bend_file_.c_str());
     } catch (const std::exception& error) {
       NODELET_ERROR("%s: %s; the bend is not saved", getName().c_str(), error.what());
     }
-  }
-
-  /// A bend that as many views as before do not confirm is kept as 0.
-  void keepBend() {
-    const auto earlier = bends_.find(camera_);
-    const bool is_gone = earlier != bends_.end() && bend_.views() >= earlier->second.views;
-    if (bend_.isOwn() && (bend_.isKnown() || is_gone)) bends_[camera_] = learned_[camera_] = bend_.known();
-  }
-
-  void followCamera(const std::string& frame_id) {
-    if (frame_id == camera_) return;
-    keepBend();
-    camera_ = frame_id;
-    bend_ = core::SensorBend();
-    const auto earlier = bends_.find(frame_id);
-    if (earlier != bends_.end()) bend_.startFrom(earlier->second);
   }
 
   void subscribe() override {
@@ -108,10 +90,10 @@ class PlanesStage : public StageNodelet {
       if (valid == 0)
         trouble("no depth", frames_->topic() +
                                 ": no pixel has a valid depth; is the lens covered, the projector off or everything too close?");
-      followCamera(messages.header().frame_id);
-      const bool is_bent = refine_ && views.frame.left.empty();
+      kept_.follow(messages.header().frame_id, &bend_);
+      const bool is_bent = unbends_ && views.frame.left.empty();
       const core::DepthFrame flat = is_bent ? bend_.correct(views.frame) : views.frame;
-      const std::vector<core::PlaneRegion> planes = segmenter_->process(flat);
+      const std::vector<core::PlaneRegion> planes = segmenter_->process(flat, is_bent ? bend_.remaining() : core::kMostBend);
       health().note("planes", static_cast<double>(planes.size()));
       const PlaneArrayPtr message = messages_.make(planes, messages.header());
       if (is_bent) message->bend = toMessage(bend_.bend());
@@ -125,16 +107,16 @@ class PlanesStage : public StageNodelet {
     bend_.learn(frame, planes);
     if (bend_.views() == 0) return;
     health().note("largest correction of a bent depth [px]", bend_.largest());
+    health().note("what may be left of the bend [px]", bend_.remaining());
     health().note("views of large surfaces that it is known from", static_cast<double>(bend_.views()));
     if (bend_.isKnown() != was_known) NODELET_INFO("%s: %s", getName().c_str(), bend_.inWords().c_str());
   }
 
   std::unique_ptr<core::PlaneSegmenter> segmenter_;
-  bool refine_ = true;
+  bool unbends_ = true;
   core::SensorBend bend_;
-  std::string camera_;                    ///< frame that the bend is of
-  std::string bend_file_;                 ///< empty: nothing is to be saved
-  core::BendsOfCameras bends_, learned_;  ///< all, and those of this run
+  core::KeptBends kept_;
+  std::string bend_file_;  ///< empty: none, or no such file
   PlaneMessages messages_;
   ros::Publisher planes_;
   int left_out_ = 0;
