@@ -2,11 +2,17 @@
 // What is learned of a front does not depend on how it was recorded.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "articulation/decision/model_selection.h"
+#include "articulation/fitting/residual_correlation.h"
 #include "articulation/models/model_registry.h"
+#include "articulation/observations/observation_history.h"
 #include "articulation/synthetic_tracks.h"
 
 namespace cabinet_articulation::core {
@@ -88,10 +94,52 @@ TEST_P(Invariance, OfTheFrameRate) {
 }
 
 TEST_P(Invariance, OfTheLengthOfARest) {
-  for (const double seconds : {5.0, 60.0})
+  for (const double seconds : {5.0, 300.0})
     for (const double where : {0.0, 0.5, 1.0})
       expectSame("rest of " + std::to_string(seconds) + " s at " + std::to_string(where),
                  [&](const SyntheticFront& front) { return learn(recorded(withRest(front, where, seconds), front)); });
+}
+
+/// [nats] Odds that a front slides rather than stands still, by all poses of its track.
+double oddsOfSliding(const Track& track) {
+  const ArticulationConfig config;
+  ObservationHistory history(config);
+  history.update(track);
+  const PoseSequence poses = history.evenlySpaced({}, track.observations.size());
+  std::vector<std::unique_ptr<ArticulationModel>> models;
+  std::vector<Candidate> candidates;
+  for (const ModelEntry& entry : modelRegistry()) {
+    if (entry.type != JointType::kRigid && entry.type != JointType::kPrismatic) continue;
+    models.push_back(entry.create(config));
+    models.back()->fit(poses, WorkBudget::unlimited());
+    candidates.push_back(evaluateCandidate(models.back().get(), poses, config));
+  }
+  return selectModel(&candidates, poses, nullptr, 0, config).log_odds;
+}
+
+TEST_P(Invariance, OfTheOddsOfAMotionThatEndsInARest) {
+  SyntheticFront front = drawer();
+  front.q_end = 0.06;
+  front.poses = 30;
+  std::vector<double> odds;
+  for (const double seconds : {2.0, 4.0, 8.0, 16.0, 32.0})
+    odds.push_back(oddsOfSliding(recorded(withRest(front, 1, seconds), front)));
+  // Sixteen times the rest tells nothing more of the motion, and little against it.
+  EXPECT_GT(odds.front(), std::log(ArticulationConfig().prior.rest_odds));
+  for (const double later : odds) EXPECT_GT(later, 0.9 * odds.front());
+}
+
+TEST(InformativePoses, AreThoseOfAnEvenMotionAndNotThoseOfARest) {
+  std::vector<double> q;
+  for (int i = 0; i < 50; ++i) q.push_back(i / 49.0);
+  const double moving = informativePoses(q, 0, 1);
+  EXPECT_NEAR(moving, 50, 0.05 * 50);
+  q.insert(q.end(), 10000, 1.0);
+  const double rested = informativePoses(q, 0, 1);
+  q.insert(q.end(), 90000, 1.0);
+  EXPECT_NEAR(informativePoses(q, 0, 1), rested, 0.01 * rested);
+  EXPECT_LT(rested, 4.1 * moving);
+  EXPECT_EQ(informativePoses({1, 1, 1}, 1, 1), 1);
 }
 
 TEST_P(Invariance, OfTheNumberOfPosesThatAreKept) {

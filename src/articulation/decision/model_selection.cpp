@@ -24,12 +24,15 @@ constexpr double kEvident = 0.99;
 /// [nats] By which a joint that is no plausible one must be better to be believed in.
 constexpr double kImplausible = 5;
 
-/// [nats] Log of the odds of a model against a simpler one, for residuals of which only as many count as are independent.
+/// [nats] Log of the odds of a model against a simpler one, for residuals of which only as many count as are independent. What it
+/// has more of parameters says how it moves, of which rest tells nothing (the penalty of the Bayesian information criterion).
 double advantage(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track) {
   const double independent = independentShare(candidate.correlation);
+  const ModelResiduals& seen = candidate.residuals;
+  const double informative = informativePoses(seen.q, seen.q_min, seen.q_max);
   const int parameters = candidate.model->complexity(track.has_orientation) - simpler.model->complexity(track.has_orientation);
   return independent * (candidate.cautious_log_likelihood - simpler.cautious_log_likelihood) -
-         0.5 * parameters * std::log(std::max(1.0, independent * static_cast<double>(track.size())));
+         0.5 * parameters * std::log(std::max(1.0, independent * informative));
 }
 
 /// What the candidates are to one another; null where there is none.
