@@ -68,7 +68,6 @@ double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& si
 }
 
 double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config) {
-  if (!track.orientation_weights.empty()) return std::numeric_limits<double>::infinity();
   const double wide = config.prior.door_radius * std::exp(config.prior.door_radius_spread);  // m; few doors are wider
   const double way = simpler.residuals.path, bow = way * way / (8 * wide);
   const double turned = track.has_orientation ? way / wide / sigmaTurn(track, config) : 0;

@@ -16,8 +16,9 @@ double turnAlongPath(const Candidate& candidate);
 double largestAdvantageOfTurning(const Candidate& candidate, const Candidate& simpler, const PoseSequence& track,
                                  const ArticulationConfig& config);
 
-/// [nats] Most that a joint that does not turn may win over one that does (ours), where poses do not say how certain they are. It
-/// is what a wide door would have bent and turned by on a way of that length, beside the errors of both. Infinity: no limit.
+/// [nats] Most that a joint that does not turn may win over one that does (ours). It is what a wide door would have bent and
+/// turned by on a way of that length, beside the errors of both. Poses that say how certain they are err beyond that too: planes
+/// take in parts of what comes out of them, and turn less than their front does.
 double largestAdvantageOfStraightness(const Candidate& simpler, const PoseSequence& track, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core
