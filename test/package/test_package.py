@@ -40,7 +40,7 @@ MOST_NUMBERS = {
     'tracking': (34, 19, 16),
     'articulation': (116, 316, 40),
     'bend': (18, 4, 0),
-    'kinds': (13, 56, 6),
+    'kinds': (14, 56, 6),
     'structure': (9, 2, 0),
     'closing': (28, 19, 0),
 }

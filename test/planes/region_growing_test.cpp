@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "cabinet_articulation/planes/plane_segmenter.h"
 #include "planes/fold_search.h"
 #include "planes/region_competition.h"
 #include "stereo/synthetic_pair.h"
@@ -115,12 +116,11 @@ TEST(RegionGrowing, ABentRegionBecomesTwoThatMeetAtTheFold) {
   // A door ajar at u = 200 and its neighbour, and apart from both a larger front in the neighbour's plane. The plane between
   // the first two holds most of both.
   const DisparityPlane fixed{0, 0, 40}, ajar{0.006, 0, 38.8}, between{0.003, 0, 39.6};
-  DepthFrame frame = frameOf({{fixed, {100, 100, 100, 200}}, {ajar, {200, 100, 160, 200}}, {fixed, {400, 50, 220, 400}}});
-  frame.left = frame.right = cv::Mat1b::zeros(frame.disparity.size());  // a pair bends planes less than a depth camera
+  const DepthFrame frame = frameOf({{fixed, {100, 100, 100, 200}}, {ajar, {200, 100, 160, 200}}, {fixed, {400, 50, 220, 400}}});
   RegionGrowing growing{PlanesConfig()};
   FoldSearch folds;
   ASSERT_EQ(growing.process(frame, {between}).regions.size(), 1U);
-  const RegionSet& set = growing.unfold(frame, &folds);
+  const RegionSet& set = growing.unfold(frame.camera, 0, &folds);
   ASSERT_EQ(set.regions.size(), 2U);
   for (const GrownRegion& region : set.regions) {
     const bool is_door = boxOf(region, set).br().x > 300;
@@ -136,7 +136,7 @@ TEST(RegionGrowing, AFlatRegionStaysAsItIs) {
   RegionGrowing growing{PlanesConfig()};
   FoldSearch folds;
   growing.process(frame, {kPlane});
-  const RegionSet& set = growing.unfold(frame, &folds);
+  const RegionSet& set = growing.unfold(frame.camera, kMostBend, &folds);
   ASSERT_EQ(set.regions.size(), 1U);
   EXPECT_EQ(boxOf(set.regions[0], set), cv::Rect(100, 100, 300, 200));
 }
