@@ -94,20 +94,27 @@ std::optional<double> DepthEdge::endOf(const Strips& strips) {
     inside += strips[k].seen > 0;
   }
   if (inside == 0 || full < kMostlySurface * inside) return std::nullopt;
-  if (measuredShare(strips[kNear]) < kEnded) return std::nullopt;  // it ends farther inside than is looked at
+  if (measuredShare(strips, kNear) < kEnded) return std::nullopt;  // it ends farther inside than is looked at
   double end = -kNearEdge;
   for (int k = kNear; k < kStrips; ++k) {
     if (strips[k].seen <= strips[k].hidden) return std::nullopt;
-    const double share = measuredShare(strips[k]);
+    const double share = measuredShare(strips, k);
     end += share;
     if (share < kEnded) return end;
   }
   return std::nullopt;
 }
 
-/// How much of a strip near the edge is the surface's, by what has a depth. Where hardly anything has one, depth has ended.
-double DepthEdge::measuredShare(const Strip& strip) {
-  return strip.measured / std::max({1.0, static_cast<double>(strip.valid), kEnded * strip.seen});
+/// How much of a strip near the edge is the surface's, by what has a depth. Where hardly anything has one, depth has ended,
+/// unless the surface goes on in the next strip: registration to another camera leaves single rows and columns without one.
+double DepthEdge::measuredShare(const Strips& strips, int k) {
+  const auto shareOf = [](const Strip& strip) {
+    return strip.measured / std::max({1.0, static_cast<double>(strip.valid), kEnded * strip.seen});
+  };
+  const double share = shareOf(strips[k]);
+  if (strips[k].valid >= kEnded * strips[k].seen || k + 1 == kStrips) return share;
+  const double next = shareOf(strips[k + 1]);
+  return next < kEnded ? share : next;
 }
 
 /// [px] Where the strips' mean residuals begin to follow the face's slope, by least squares; `end` if they do not.

@@ -59,7 +59,7 @@ class DepthEdge {
 
   static double placeOf(int strip) { return strip + 0.5 - kInside; }
   static std::optional<double> endOf(const Strips& strips);
-  static double measuredShare(const Strip& strip);
+  static double measuredShare(const Strips& strips, int k);
 
   void addPixels(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& edge);
   void measureNoise();

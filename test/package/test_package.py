@@ -42,7 +42,7 @@ MOST_NUMBERS = {
     'bend': (18, 4, 0),
     'kinds': (14, 56, 6),
     'structure': (9, 2, 0),
-    'closing': (28, 19, 0),
+    'closing': (30, 19, 0),
 }
 # Sub-folders of the folders of src/, in the order of the data: each may use those before it.
 STEPS = {

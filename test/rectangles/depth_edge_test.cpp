@@ -132,6 +132,17 @@ TEST_F(DepthEdgeHeadOnTest, AShadowBeyondAnEdgeIsNotTheFronts) {
   EXPECT_LT(std::abs(*off), 0.0015);
 }
 
+TEST_F(DepthEdgeHeadOnTest, SingleRowsAndColumnsWithoutADepthAreNoEnd) {
+  for (int v = 0; v < camera_.height; v += 4) frame_.disparity.row(v) = 0;
+  for (int u = 1; u < camera_.width; u += 4) frame_.disparity.col(u) = 0;
+  label();
+  for (const Edge edge : kEdges) {
+    const auto off = error(edge, 0);
+    ASSERT_TRUE(off) << edge;
+    EXPECT_LT(std::abs(*off), 0.0045) << "1.5 px, where the edge itself has no depth; edge " << edge;
+  }
+}
+
 TEST_F(DepthEdgeTest, DoesNotTakeTheSideOfABoardForTheFront) {
   int faces = 0;
   for (const Edge edge : {kEdgeMinusX, kEdgePlusX}) {
