@@ -7,7 +7,7 @@
 
 namespace cabinet_articulation::core::evaluation {
 
-constexpr int kWarmUps = 3;  ///< calls in which buffers may grow; some take turns
+constexpr int kWarmUps = 3;  ///< calls (ours) in which buffers grow: some stages have two that alternate
 
 /// Times `work` and counts what it takes from the heap.
 template <class Work>

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""live_latency.py CAMERA NAMESPACE: for measure_live.sh, until it is terminated. A frame begins when the CameraInfo of its left
-image arrives and ends with its models; both are heard by this one process, in wall time."""
+"""live_latency.py CAMERA_INFO NAMESPACE: for measure_live.sh, until it is terminated. A frame begins when its CameraInfo arrives
+and ends with its models; both are heard by this one process, in wall time."""
 import signal
 import statistics
 import sys
@@ -16,9 +16,9 @@ FIRST = 1.0  # [s] of the bag that is left out: libraries are loaded, and buffer
 
 
 class Latency:
-    def __init__(self, camera, namespace):
+    def __init__(self, camera_info, namespace):
         self.shown, self.answered, self.stages = {}, {}, defaultdict(dict)
-        rospy.Subscriber('/%s/left/camera_info' % camera, CameraInfo, lambda m: self.note(self.shown, m))
+        rospy.Subscriber('/' + camera_info, CameraInfo, lambda m: self.note(self.shown, m))
         rospy.Subscriber('/%s/models' % namespace, ArticulationModelArray, lambda m: self.note(self.answered, m))
         rospy.Subscriber('/%s/timing' % namespace, Timing, self.on_timing)
 
@@ -30,21 +30,23 @@ class Latency:
         self.stages[message.stage][message.header.stamp.to_sec()] = message.milliseconds
 
     def report(self):
-        """False if no frame came through."""
-        if not self.shown:
+        """False if fewer than two frames came through."""
+        shown, answered = dict(self.shown), dict(self.answered)
+        stages = {stage: dict(values) for stage, values in list(self.stages.items())}
+        if not shown:
             return False
-        first = min(self.shown) + FIRST
-        frames = sorted(stamp for stamp in self.shown if stamp >= first)
-        times = sorted(1e3 * (self.answered[stamp] - self.shown[stamp]) for stamp in frames if stamp in self.answered)
-        if not times:
+        first = min(shown) + FIRST
+        frames = sorted(stamp for stamp in shown if stamp >= first)
+        times = sorted(1e3 * (answered[stamp] - shown[stamp]) for stamp in frames if stamp in answered)
+        if len(times) < 2:
             return False
         print('%d frames at %.1f Hz, %d dropped (%.1f %%)' % (
             len(frames), (len(frames) - 1) / (frames[-1] - frames[0]), len(frames) - len(times),
             100 - 100 * len(times) / len(frames)))
         print('image to model: median %.1f ms, 90 %% within %.1f ms, most %.1f ms' % (
             statistics.median(times), times[int(0.9 * (len(times) - 1))], times[-1]))
-        stages = ((stage, [spent for stamp, spent in values.items() if stamp >= first]) for stage, values in self.stages.items())
-        print('stages, median ms: ' + ', '.join('%s %.1f' % (stage, statistics.median(values)) for stage, values in stages if values))
+        spans = ((stage, [spent for stamp, spent in values.items() if stamp >= first]) for stage, values in stages.items())
+        print('stages, median ms: ' + ', '.join('%s %.1f' % (stage, statistics.median(values)) for stage, values in spans if values))
         return True
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# measure_live.sh BAG [ARGUMENTS OF replay.launch]: plays a bag to the nodelets as fast as it was recorded, and prints how many
-# frames were dropped and how long each took from its images to the models, in wall time. The player shares the computer.
+# measure_live.sh BAG [ARGUMENTS OF replay.launch]: plays a bag to the nodelets as fast as it was recorded. Prints how many frames
+# were dropped, and the wall time from a frame's images to its models. The player shares the computer.
 # Example, on two cores: simulated_bag kitchen kitchen.bag --rate 30; taskset -c 0,1 scripts/measure_live.sh kitchen.bag
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -11,14 +11,17 @@ if [ $# -eq 0 ] || [ ! -f "$1" ]; then
 fi
 bag=$(realpath "$1")
 shift
-camera=stereo
-ns=cabinet
+camera=stereo ns=cabinet input=stereo left_info=left/camera_info depth_info=depth/camera_info
 for argument in "$@"; do
   case $argument in
     camera:=*) camera=${argument#*:=} ;;
     ns:=*) ns=${argument#*:=} ;;
+    input:=*) input=${argument#*:=} ;;
+    left_info:=*) left_info=${argument#*:=} ;;
+    depth_info:=*) depth_info=${argument#*:=} ;;
   esac
 done
+if [ "$input" = depth ]; then info=$depth_info; else info=$left_info; fi
 
 export PATH=/usr/bin:$PATH
 set +eu
@@ -27,11 +30,11 @@ set -eu
 log=$(mktemp)
 . "$here/own_master.sh"
 launch_with_own_master "$log" replay.launch bag:="$bag" paused:=true "$@"
-/usr/bin/python3 "$here/live_latency.py" "$camera" "$ns" &
+/usr/bin/python3 "$here/live_latency.py" "$camera/$info" "$ns" &
 listener=$!
 status=0
 /usr/bin/python3 "$here/steer_replay.py" "$ns" || status=$?
-kill "$listener"
+kill "$listener" 2>/dev/null || true
 wait "$listener" || status=$?
 if [ $status -ne 0 ]; then
   echo "measure_live.sh: nothing was measured (log: $log)" >&2

@@ -1,5 +1,6 @@
-# Sourced by demo.sh, soak.sh and compare_live.sh: launch_with_own_master LOG LAUNCH_FILE [ARGUMENTS], with a master of its own,
-# so that the run neither needs nor disturbs one that is there. Returns when the master answers; all ends with the script.
+# Sourced by demo.sh, soak.sh, compare_live.sh and measure_live.sh: launch_with_own_master LOG LAUNCH_FILE [ARGUMENTS], with a
+# master of its own, so that the run neither needs nor disturbs one that is there. Returns when the master answers; all ends with
+# the script.
 
 stop_launch() {
   kill -INT "$launch" 2>/dev/null || true

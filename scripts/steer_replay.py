@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""steer_replay.py NAMESPACE [PATIENCE]: for compare_live.sh. Waits until the paused player of replay.launch, the pipeline and
-the recorder are connected, lets the bag play, and returns when its last frame is through."""
+"""steer_replay.py NAMESPACE [PATIENCE]: for compare_live.sh and measure_live.sh. Waits until the paused player of replay.launch,
+the pipeline and the recorder are connected, lets the bag play, and returns when its last frame is through."""
 import sys
 import time
 import xmlrpc.client

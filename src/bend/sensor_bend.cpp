@@ -12,7 +12,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kMostViews = 200;  ///< ours: 48 suffice, and an estimate from 200 takes 1 ms
-constexpr int kSamples = 16;             ///< [1] in each direction: terms have a degree of 4
+constexpr int kSamples = 16;             ///< [1] in each direction (ours): terms have a degree of 4
 constexpr double kMuchLarger = 1.25;     ///< ratio of pixels (ours) from which on a sight is measured again
 
 /// Files have twelve digits.

@@ -50,6 +50,7 @@ void ClosedFinder::remember(const std::vector<LearnedModel>& joints) {
     Place& place = places_[joint.id];
     place.known = true;
     place.closed = frontAt(joint, joint.q_closed);
+    place.was_shut = joint.q_min <= joint.q_closed && joint.q_closed <= joint.q_max;
   }
 }
 
@@ -100,7 +101,7 @@ void ClosedFinder::searchOne(const std::vector<LearnedModel>& models) {
 
 /// Looks at the newest view, if the front was not detected there.
 void ClosedFinder::watch(const LearnedModel& model, Place* place) const {
-  constexpr int kLeastViews = 2;  // one may be wrong as a whole
+  constexpr int kLeastViews = 2;  // ours: one may be wrong as a whole
   if (memory_.views().empty()) return;
   const DepthView& view = memory_.views().back();
   if (isSameStamp(model.stamp, view.stamp)) {

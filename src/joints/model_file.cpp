@@ -49,6 +49,7 @@ Found lookAt(const fs::path& file) {
 
 /// Fronts that can only be placed apart cannot be merged.
 MergedFronts merge(const ModelFile& models, const std::vector<ForgottenFront>& removed, Found* found) {
+  requireNoCycle(modelsOf(models.fronts));
   MergedFronts merged = mergeFronts(models.fronts, found->models ? found->models->fronts : std::vector<KnownFront>(), removed);
   try {
     requireNoCycle(modelsOf(merged.fronts));

@@ -23,7 +23,7 @@ double meanDifference(const DisparityPlane& other, const GrownRegion& region, co
 }  // namespace
 
 void DuplicateMerger::process(cv::Size image, RegionSet* set) {
-  // Of equal ones the first that grew: as a stable sort does it, which takes memory.
+  // A stable sort takes memory.
   std::sort(set->regions.begin(), set->regions.end(), [](const GrownRegion& a, const GrownRegion& b) {
     return a.cells != b.cells ? a.cells > b.cells : a.first_run < b.first_run;
   });

@@ -105,8 +105,8 @@ std::optional<double> DepthEdge::endOf(const Strips& strips) {
   return std::nullopt;
 }
 
-/// How much of a strip near the edge is the surface's, by what has a depth. Where hardly anything has one, depth has ended,
-/// unless the surface goes on in the next strip: registration to another camera leaves single rows and columns without one.
+/// How much of a strip near the edge is the surface's, by what has a depth. Where hardly anything has one, depth has ended.
+/// But registration to another camera leaves single rows and columns without one: there the next strip shows that it goes on.
 double DepthEdge::measuredShare(const Strips& strips, int k) {
   const auto shareOf = [](const Strip& strip) {
     return strip.measured / std::max({1.0, static_cast<double>(strip.valid), kEnded * strip.seen});

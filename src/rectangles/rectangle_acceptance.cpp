@@ -46,7 +46,7 @@ bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>
 }
 
 bool mayBeBounded(float observed_edges, const RectanglesConfig& config) {
-  return 2 * observed_edges >= config.min_observed_edges;
+  return observed_edges >= std::min<double>(config.min_observed_edges / 2, 2 * kWellSeen);  // two edges of a cut front
 }
 
 bool framed(const DetectedRectangle& rectangle, const RectanglesConfig& config) {

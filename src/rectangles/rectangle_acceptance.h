@@ -23,7 +23,7 @@ bool fillsRegion(const DetectedRectangle& rectangle, const LabelCounts& counts, 
 bool bounded(const std::array<float, 4>& edge_support, const std::array<bool, 4>& cut, const RectanglesConfig& config);
 
 /// False if not even half of the edges that bounded() asks for is in sight before refinement, with all of them confirmed (ours).
-/// Refinement moves edges by a few pixels, which makes up for less: of 4000 fronts without a track that passed in 64 recorded and
+/// Refinement moves edges by a few pixels, which makes up for less. Of 4000 fronts without a track that passed in 64 recorded and
 /// rendered sequences, none had less than 0.56 of what is asked.
 /// `observed_edges`: the sum of their support.
 bool mayBeBounded(float observed_edges, const RectanglesConfig& config);

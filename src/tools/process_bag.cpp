@@ -78,6 +78,9 @@ class Run {
         pipeline_(config_),
         matcher_(config_.stereo) {
     if (!options.bend_file.empty()) kept_bends_.read(options.bend_file);
+    if (!options.bend_file.empty() && !config_.planes.bend)
+      std::fprintf(stderr, "process_bag: planes.yaml says bend: false, so '%s' is neither used nor written\n",
+                   options.bend_file.c_str());
     if (!options.report.empty()) report_.emplace(options.report);
     if (options.fixed_frame.empty()) return;
     transforms_.emplace(input_.bag());

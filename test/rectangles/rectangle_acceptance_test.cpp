@@ -63,11 +63,13 @@ TEST(RectangleAcceptanceTest, TwoEdgesInSumAndOneAcrossEachSideMustBeSeen) {
 }
 
 TEST(RectangleAcceptanceTest, WhatShowsLessThanHalfOfItsEdgesIsNotRefined) {
-  const RectanglesConfig config;
+  RectanglesConfig config;
   EXPECT_FALSE(mayBeBounded(0.9F, config));
   EXPECT_TRUE(mayBeBounded(1, config));
   EXPECT_TRUE(bounded({0.6F, 0.6F, 0, 0}, {false, false, true, true}, config));
   EXPECT_TRUE(mayBeBounded(0.6F + 0.6F, config)) << "the least that a front shows";
+  config.min_observed_edges = 3;
+  EXPECT_TRUE(mayBeBounded(0.6F + 0.6F, config)) << "of a front that is cut, two edges are enough";
 }
 
 TEST(RectangleAcceptanceTest, OfAFrontThatTheImageCutsTheOtherEdgesMustBeSeen) {

@@ -10,8 +10,7 @@
 
 namespace cabinet_articulation::core {
 
-/// [px] By which a depth camera bends what is flat at most, as long as nobody knows better: a PrimeSense does so with a flat
-/// board (measured).
+/// [px] Most by which a depth camera bends what is flat, until its bend is known. Measured: a PrimeSense before a flat board.
 constexpr double kMostBend = 0.75;
 
 /// Paper III-B.1: the planes of a frame and their masks. Buffers are kept between frames, and so is the memory of the masks
