@@ -105,7 +105,7 @@ std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& 
   return surface;
 }
 
-constexpr double kFull = 0.7;  ///< of the cells, beside an arm
+constexpr double kFull = 0.7;  ///< of the cells (ours), beside an arm
 
 bool isFull(const CellCount& inside) { return inside.in_plane > 0 && inside.in_plane >= kFull * inside.seen(); }
 
@@ -115,7 +115,7 @@ struct ClosedView {
   Correction front;  ///< where the front itself is
 };
 
-constexpr double kLogOdds = 3;  ///< [nats] ln 20, in one view
+constexpr double kLogOdds = 3;  ///< [nats] ln 20 (ours), in one view
 
 std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& surface,
                                     const std::vector<const DepthView*>& views) {

@@ -55,6 +55,7 @@ std::vector<const LearnedModel*> parentsOf(const LearnedModel& model, const Find
 
 Eigen::Isometry3d frameFrom(const LearnedModel& model, const Find& find) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  if (model.parent == 0) return T;
   const LearnedModel* child = &model;
   for (const LearnedModel* parent : parentsOf(model, find)) {
     requireJoint(*parent);
@@ -103,14 +104,14 @@ Eigen::Isometry3d frameOf(const LearnedModel& model, const std::vector<LearnedMo
 }
 
 bool hangsOnKnown(const LearnedModel& model, const std::vector<LearnedModel>& all) {
-  return model.parent == 0 || frameIfKnown(model, among(all));
+  return frameIfKnown(model, among(all)).has_value();
 }
 
 std::vector<LearnedModel> thoseOnKnown(const std::vector<LearnedModel>& models) {
   const Find find = indexed(models);
   std::vector<LearnedModel> result;
   std::copy_if(models.begin(), models.end(), std::back_inserter(result),
-               [&](const LearnedModel& model) { return model.parent == 0 || frameIfKnown(model, find); });
+               [&](const LearnedModel& model) { return frameIfKnown(model, find).has_value(); });
   return result;
 }
 

@@ -15,7 +15,8 @@ constexpr int kImprovements = 8;
 constexpr double kLeastPart = 2500;       ///< [px] a smaller part has its plane from noise
 constexpr double kIndependent = 15 * 15;  ///< [px] a window of block matching, within which noise is one and the same
 constexpr double kSignificance = 100;     ///< gain in squares over their variance; chance gives 4, for four more unknowns
-constexpr double kStandsOut = 0.3;  ///< [px] that planes stand apart at least: twice what calibrations of pairs bend them by
+constexpr double kStandsOut =
+    0.3;  ///< [px] that planes stand apart at least (ours): twice what calibrations of pairs bend them by
 
 constexpr int kSamplePixels = kStep * kCell * kStep * kCell;
 constexpr int kLeastSamples = static_cast<int>(kLeastPart) / kSamplePixels;

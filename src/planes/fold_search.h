@@ -24,8 +24,8 @@ struct Fold {
 class FoldSearch {
  public:
   /// The two planes that explain the region's cells best. Nothing unless they do so significantly better than one plane
-  /// does. They must also stand apart on both sides of the line where they meet, by more than a calibration bends a plane and
-  /// than a depth camera `may_bend` one [px]; 0 for a pair.
+  /// does. They must also stand apart on both sides of the line where they meet. They do so by more than a calibration bends a
+  /// plane, and than a depth camera `may_bend` one [px]; 0 for a pair.
   std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, double may_bend);
 
   /// Whether a cell is on the last fold's first surface, or so near to it that blocks do not tell.

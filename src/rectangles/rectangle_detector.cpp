@@ -26,18 +26,17 @@ namespace {
 
 constexpr float kHidden = 0.25F;  ///< edge support up to which an edge may well go on
 
-void requireSize(const cv::Mat& image, const cv::Size& expected, const std::string& name) {
-  if (image.size() == expected) return;
-  throw std::invalid_argument(name + " is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) + ", the camera " +
-                              std::to_string(expected.width) + "x" + std::to_string(expected.height));
+std::invalid_argument wrongSize(const cv::Mat& image, const cv::Size& expected, const std::string& name) {
+  return std::invalid_argument(name + " is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) + ", the camera " +
+                               std::to_string(expected.width) + "x" + std::to_string(expected.height));
 }
 
 void requireSizes(const DepthFrame& frame, const std::vector<PlaneRegion>& regions) {
   const cv::Size size(frame.camera.width, frame.camera.height);
-  if (!frame.left.empty()) requireSize(frame.left, size, "the left image");
-  if (!frame.right.empty()) requireSize(frame.right, size, "the right image");
+  if (!frame.left.empty() && frame.left.size() != size) throw wrongSize(frame.left, size, "the left image");
+  if (!frame.right.empty() && frame.right.size() != size) throw wrongSize(frame.right, size, "the right image");
   for (size_t i = 0; i < regions.size(); ++i)
-    if (regions[i].mask.size() != size) requireSize(regions[i].mask, size, "the mask of region " + std::to_string(i));
+    if (regions[i].mask.size() != size) throw wrongSize(regions[i].mask, size, "the mask of region " + std::to_string(i));
 }
 
 /// As the conversion from messages leaves them; asserted only.

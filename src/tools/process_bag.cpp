@@ -77,10 +77,7 @@ class Run {
         progress_(input_.expectedFrames()),
         pipeline_(config_),
         matcher_(config_.stereo) {
-    if (!options.bend_file.empty()) kept_bends_.read(options.bend_file);
-    if (!options.bend_file.empty() && !config_.planes.bend)
-      std::fprintf(stderr, "process_bag: planes.yaml says bend: false, so '%s' is neither used nor written\n",
-                   options.bend_file.c_str());
+    readBends(options.bend_file);
     if (!options.report.empty()) report_.emplace(options.report);
     if (options.fixed_frame.empty()) return;
     transforms_.emplace(input_.bag());
@@ -116,6 +113,13 @@ class Run {
   const SkippedFrames& skipped() const { return skipped_; }
 
  private:
+  void readBends(const std::string& file) {
+    if (file.empty()) return;
+    kept_bends_.read(file);
+    if (!config_.planes.bend)
+      std::fprintf(stderr, "process_bag: planes.yaml says bend: false, so '%s' is neither used nor written\n", file.c_str());
+  }
+
   void process(const std_msgs::Header& camera, const core::DepthFrame& frame) {
     if (!isNewer(camera.stamp))
       return skipped_.add("the stamp is not newer than the frame's before", std::to_string(camera.stamp.toSec()));

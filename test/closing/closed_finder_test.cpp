@@ -162,6 +162,7 @@ TEST_F(Closing, LeavesADoorWhereItWasSeenWhileItIsHidden) {
   const LearnedModel seen = *joint_;
   for (const double distance : {0.5, 0.0}) {
     block(distance);
+    ASSERT_FALSE(result_.models.empty()) << distance;
     EXPECT_NEAR(joint_->q, seen.q, 0.02) << distance;
     EXPECT_LE(joint_->stamp, seen.stamp) << distance;
   }
@@ -171,6 +172,7 @@ TEST_F(Closing, OfAShutDoorStaysWhileItIsHidden) {
   show("door", {});
   const double shut_at = result_.view.stamp;
   block(0.5);
+  ASSERT_FALSE(result_.models.empty());
   EXPECT_EQ(joint_->opening, 0);
   EXPECT_NEAR(joint_->stamp, shut_at, 1e-9);
 }

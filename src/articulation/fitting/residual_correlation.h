@@ -29,8 +29,8 @@ double correlationWithNext(const std::vector<Residual>& cut) {
 inline double independentShare(double correlation) { return (1 - correlation) / (1 + correlation); }
 
 /// Poses spread evenly over a path from q_min to q_max that would tell as much of how it leads, of at most those there are. What
-/// they tell goes with the square of their distance from their mean (Fisher's information on a slope), of which a uniform
-/// distribution has 1/12 of its range. Poses of a rest, however many, lie near that mean, and count for what was seen elsewhere.
+/// they tell goes with the square of their distance from their mean (Fisher's information on a slope). A uniform distribution
+/// has 1/12 of its squared range. Poses of a rest, however many, lie near that mean, and count for what was seen elsewhere.
 inline double informativePoses(const std::vector<double>& q, double q_min, double q_max) {
   const double range = q_max - q_min, n = static_cast<double>(q.size());
   if (!(range > 0)) return 1;
