@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two pipelines in two namespaces, whose fronts have equal ids: joints and panel show the one that is chosen.
+// Two pipelines in two namespaces, whose fronts have equal ids: displays and panel show the one that is chosen.
 #include <cabinet_articulation/ExportUrdf.h>
 
 #include <QComboBox>
@@ -14,6 +14,11 @@ namespace {
 
 using test::waitFor;
 
+/// An edge is drawn as far as it was observed.
+void seeEdgesOf(std::vector<core::Track>* tracks) {
+  for (core::Track& track : *tracks) track.observations.back().edge_support.fill(1);
+}
+
 /// The pipeline in the namespace `annex` sees one door, 2 m beside that of `cabinet`.
 class Annex : public test::MovingFronts {
  public:
@@ -24,6 +29,8 @@ class Annex : public test::MovingFronts {
     tracks_.resize(1);
     tracks_[0].id = id;
   }
+
+  void seeEdges() { seeEdgesOf(&tracks_); }
 
   void open(double start) {
     for (int i = 0; i < test::kFrames; ++i) {
@@ -59,6 +66,16 @@ class TwoKitchens : public test::Kitchen {
     });
   }
 
+  void followsTopicsOf(rviz::Display* display) {
+    const std::vector<core::Rectangle> annex = {annex_->door(1.4)};
+    for (const char* ns : {"cabinet", "annex", "cabinet"}) {
+      for (const char* topic : {"Models", "Tracks"})
+        display->subProp(topic)->setValue(QString("/%1/%2").arg(ns, QString(topic).toLower()));
+      const bool first = ns == std::string("cabinet");
+      EXPECT_TRUE(showsAlone(display->getSceneNode(), first ? truth() : annex, first ? annex : truth())) << ns;
+    }
+  }
+
   bool showsRows(int rows) {
     return waitFor([&] {
       speak();
@@ -85,16 +102,20 @@ class TwoKitchens : public test::Kitchen {
 };
 
 TEST_F(TwoKitchens, JointsShowTheOneWhoseTopicsAreChosen) {
-  const std::vector<core::Rectangle> annex = {annex_->door(1.4)};
   rviz::Display* joints = addDisplay("Joints");
   for (const char* property : {"Axis", "Label"}) joints->subProp(property)->setValue(false);
   joints->subProp("Ghosts")->setValue(0);
-  for (const char* ns : {"cabinet", "annex", "cabinet"}) {
-    for (const char* topic : {"Models", "Tracks"})
-      joints->subProp(topic)->setValue(QString("/%1/%2").arg(ns, QString(topic).toLower()));
-    const bool first = ns == std::string("cabinet");
-    EXPECT_TRUE(showsAlone(joints->getSceneNode(), first ? truth() : annex, first ? annex : truth())) << "joints of " << ns;
-  }
+  followsTopicsOf(joints);
+}
+
+TEST_F(TwoKitchens, FrontsShowTheOneWhoseTopicsAreChosen) {
+  seeEdgesOf(&tracks_);
+  annex_->seeEdges();
+  rviz::Display* fronts = addDisplay("Fronts");
+  fronts->subProp("Latest Only")->setValue(true);
+  // Wide lines are billboards, whose box depends on where the camera is.
+  fronts->subProp("Line Width")->setValue(0);
+  followsTopicsOf(fronts);
 }
 
 TEST_F(TwoKitchens, ThePanelAsksTheOneThatIsChosen) {
