@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz_plugin/drawing.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cabinet_articulation {
@@ -23,6 +24,22 @@ void addOutline(const core::Rectangle& rectangle, const Paint& paint, Drawing* d
   const auto corners = rectangle.corners();
   for (std::size_t i = 0; i < corners.size(); ++i)
     drawing->lines.push_back({corners[i], corners[(i + 1) % corners.size()], paint});
+}
+
+void addCross(const core::Rectangle& rectangle, const Paint& paint, Drawing* drawing) {
+  const Eigen::Vector3d x = rectangle.width / 2 * rectangle.pose.linear().col(0);
+  const Eigen::Vector3d y = rectangle.height / 2 * rectangle.pose.linear().col(1);
+  for (const Eigen::Vector3d& half : {x, y})
+    drawing->lines.push_back({rectangle.center() - half, rectangle.center() + half, paint});
+}
+
+void addFrame(const core::Rectangle& rectangle, float alpha, Drawing* drawing) {
+  const double length = std::min(rectangle.width, rectangle.height) / 2;
+  for (int k = 0; k < 3; ++k) {
+    Color color{};
+    color[static_cast<std::size_t>(k)] = 1;
+    drawing->lines.push_back({rectangle.center(), rectangle.center() + length * rectangle.pose.linear().col(k), {color, alpha}});
+  }
 }
 
 void addSurface(const core::Rectangle& rectangle, const Paint& paint, Drawing* drawing) {

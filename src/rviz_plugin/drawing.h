@@ -50,6 +50,12 @@ struct TubeRing {
 
 void addPath(const std::vector<Eigen::Vector3d>& points, const Paint& paint, Drawing* drawing);
 void addOutline(const core::Rectangle& rectangle, const Paint& paint, Drawing* drawing);
+/// Its x and y axes, from edge to edge.
+void addCross(const core::Rectangle& rectangle, const Paint& paint, Drawing* drawing);
+
+/// Its frame, in the colours of tf: x red, y green, z blue. Each axis has the length of half the shorter side.
+void addFrame(const core::Rectangle& rectangle, float alpha, Drawing* drawing);
+
 void addSurface(const core::Rectangle& rectangle, const Paint& paint, Drawing* drawing);
 
 /// The surface through the rings, in their order; open at both ends.

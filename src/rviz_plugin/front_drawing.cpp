@@ -41,6 +41,20 @@ Color colorOf(const core::Track& track, const core::LearnedModel* model, ColorBy
   return model ? colorOf(*model, color_by, 0) : core::palette::kGrey;
 }
 
+void addObservation(const core::Rectangle& front, const std::array<float, 4>& support, ObservationStyle style, const Paint& paint,
+                    Drawing* drawing) {
+  switch (style) {
+    case ObservationStyle::kRectangle:
+      return addObservedEdges(front, support, paint, drawing);
+    case ObservationStyle::kCross:
+      return addCross(front, paint, drawing);
+    case ObservationStyle::kAxes:
+      return addFrame(front, paint.alpha, drawing);
+    case ObservationStyle::kLine:
+      return;
+  }
+}
+
 }  // namespace
 
 void drawRectangles(const std::vector<core::DetectedRectangle>& rectangles, ColorBy color_by, Drawing* drawing) {
@@ -79,7 +93,7 @@ void drawTrack(const core::Track& track, const core::LearnedModel* model, const 
     const Paint paint{colorOf(track, model, style.color_by, share), last ? 1.0F : style.alpha};
     way.push_back(front.center());
     if (style.latest_only && !last) continue;
-    addObservedEdges(front, seen.edge_support, paint, drawing);
+    addObservation(front, seen.edge_support, style.observations, paint, drawing);
     if (last) drawing->texts.push_back({front.center(), std::to_string(track.id), paint});
   }
   if (!style.latest_only) addPath(way, {colorOf(track, model, style.color_by, 1), style.alpha}, drawing);

@@ -10,7 +10,11 @@
 
 namespace cabinet_articulation {
 
+/// What is drawn at an observation. The way of the centre is drawn with each.
+enum class ObservationStyle { kRectangle, kCross, kAxes, kLine };
+
 struct TrackStyle {
+  ObservationStyle observations = ObservationStyle::kRectangle;
   ColorBy color_by = ColorBy::kId;
   double density = 20;       ///< [1/m] poses drawn for each metre of the centre's way; 0: all of them
   bool latest_only = false;  ///< the newest observation of each track

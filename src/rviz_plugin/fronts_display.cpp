@@ -2,6 +2,7 @@
 #include "rviz_plugin/fronts_display.h"
 
 #include <rviz/properties/bool_property.h>
+#include <rviz/properties/enum_property.h>
 #include <rviz/properties/float_property.h>
 #include <rviz/properties/ros_topic_property.h>
 
@@ -20,6 +21,12 @@ FrontsDisplay::FrontsDisplay() {
       addTopic("Tracks", "cabinet/tracks", ros::message_traits::datatype<TrackArray>(), "Each front's history; empty: none.");
   models_topic_ = addTopic("Models", "cabinet/models", ros::message_traits::datatype<ArticulationModelArray>(),
                            "Gives tracks the colours of their types, and where they are projected to; empty: none.");
+  style_ = new rviz::EnumProperty("Style", "Rectangles", "Of the observations of a track, beside the way of its centre.", this,
+                                  SLOT(changed()), this);
+  style_->addOption("Rectangles", static_cast<int>(ObservationStyle::kRectangle));
+  style_->addOption("Crosses", static_cast<int>(ObservationStyle::kCross));
+  style_->addOption("Axes", static_cast<int>(ObservationStyle::kAxes));
+  style_->addOption("Line", static_cast<int>(ObservationStyle::kLine));
   const TrackStyle style;
   density_ = new rviz::FloatProperty("Sample Density", static_cast<float>(style.density),
                                      "[1/m] Observations drawn for each metre of a track; 0: all.", this, SLOT(changed()), this);
@@ -96,6 +103,7 @@ const core::LearnedModel* FrontsDisplay::modelOf(const core::Track& track) const
 
 TrackStyle FrontsDisplay::trackStyle() const {
   TrackStyle style;
+  style.observations = static_cast<ObservationStyle>(style_->getOptionInt());
   style.color_by = colorBy();
   style.density = density_->getFloat();
   style.latest_only = latest_only_->getBool();

@@ -46,6 +46,7 @@ class FrontsDisplay : public SceneDisplay {
 
   rviz::RosTopicProperty *rectangles_topic_, *tracks_topic_, *models_topic_;
   rviz::FloatProperty *density_, *alpha_;
+  rviz::EnumProperty* style_;
   rviz::BoolProperty *latest_only_, *projected_;
 
   LatestMessage<RectangleArray> rectangles_input_;

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/joints/hanging.h"
@@ -50,6 +51,21 @@ std::vector<core::Rectangle> ghostsOf(const core::LearnedModel& model, const std
   for (std::size_t i = 0; i < seen; i += step)
     ghosts.push_back(frontAt(model, model.configuration(track->observations[i].rectangle.pose)));
   return ghosts;
+}
+
+/// Those that the style does not leave out.
+std::vector<core::LearnedModel> shownOf(std::vector<core::LearnedModel> models, const JointStyle& style) {
+  if (!style.resting)
+    models.erase(std::remove_if(models.begin(), models.end(), [](const auto& model) { return !isJoint(model); }), models.end());
+  if (!style.one_of_each_type) return models;
+  const auto rank = [](const core::LearnedModel& model) {
+    return std::make_tuple(model.type, -model.stamp, -core::typeProbability(model));
+  };
+  const auto comes_first = [&](const core::LearnedModel& a, const core::LearnedModel& b) { return rank(a) < rank(b); };
+  std::stable_sort(models.begin(), models.end(), comes_first);
+  const auto same_type = [](const core::LearnedModel& a, const core::LearnedModel& b) { return a.type == b.type; };
+  models.erase(std::unique(models.begin(), models.end(), same_type), models.end());
+  return models;
 }
 
 void drawJoint(const core::LearnedModel& model, const std::vector<core::Track>& tracks, const JointStyle& style,
@@ -102,8 +118,7 @@ void drawJoints(const std::vector<core::LearnedModel>& models, const std::vector
                 Drawing* drawing) {
   double newest = 0;
   for (const core::LearnedModel& model : models) newest = std::max(newest, model.stamp);
-  for (const core::LearnedModel& model : core::allPlaced(models)) {
-    if (!isJoint(model) && !style.resting) continue;
+  for (const core::LearnedModel& model : shownOf(core::allPlaced(models), style)) {
     const Color color = colorOf(model, style.color_by, newest - model.stamp);
     const core::Rectangle front = frontAt(model, model.q);
     addSurface(front, {color, isJoint(model) ? style.alpha : style.alpha / 2}, drawing);

@@ -17,7 +17,8 @@ struct JointStyle {
   bool at_observations = false;  ///< ghosts where a front of the world was seen, moved to where the model says
   bool axis = true;              ///< the axis and how uncertain it is
   bool label = true;
-  bool resting = true;  ///< also fronts that did not move, or in a way that no joint explains
+  bool one_of_each_type = false;  ///< the one that was seen last; of those of one frame, that of the most probable type
+  bool resting = true;            ///< also fronts that did not move, or in a way that no joint explains
 };
 
 /// Everything in the frame of the fronts that hang on the world; tracks are those of the same frame, or none. What hangs on

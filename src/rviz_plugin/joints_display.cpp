@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMostGhosts = 100;  ///< ours: more cannot be told apart
 enum GhostsAt { kRange, kObservations };
+enum UniqueBy { kTrack, kType };
 
 }  // namespace
 
@@ -42,6 +43,10 @@ JointsDisplay::JointsDisplay() {
   axis_ =
       new rviz::BoolProperty("Axis", style.axis, "Also the tube in which the axis lies with 95 %.", this, SLOT(changed()), this);
   label_ = new rviz::BoolProperty("Label", style.label, "Name, type, probability and opening.", this, SLOT(changed()), this);
+  unique_by_ = new rviz::EnumProperty("Unique By", "Track", "Every front; or of each type the one that was seen last.", this,
+                                      SLOT(changed()), this);
+  unique_by_->addOption("Track", kTrack);
+  unique_by_->addOption("Type", kType);
   resting_ = new rviz::BoolProperty("Resting Fronts", style.resting, "Also fronts that were not seen to be joints.", this,
                                     SLOT(changed()), this);
 }
@@ -98,6 +103,7 @@ JointStyle JointsDisplay::jointStyle() const {
   style.at_observations = ghosts_at_->getOptionInt() == kObservations;
   style.axis = axis_->getBool();
   style.label = label_->getBool();
+  style.one_of_each_type = unique_by_->getOptionInt() == kType;
   style.resting = resting_->getBool();
   return style;
 }

@@ -43,7 +43,7 @@ class JointsDisplay : public SceneDisplay {
   JointStyle jointStyle() const;
 
   rviz::RosTopicProperty *models_topic_, *tracks_topic_;
-  rviz::EnumProperty* ghosts_at_;
+  rviz::EnumProperty *ghosts_at_, *unique_by_;
   rviz::IntProperty* ghosts_;
   rviz::FloatProperty* alpha_;
   rviz::BoolProperty *axis_, *label_, *resting_;

@@ -63,6 +63,30 @@ TEST(FrontDrawing, SamplesFollowTheWay) {
   EXPECT_EQ(drawing.lines.size(), 4u) << "nothing of a track without observations";
 }
 
+TEST(FrontDrawing, ObservationsInTheirStyles) {
+  const core::Track track = openingDoor(2);
+  const auto drawn = [&](ObservationStyle observations) {
+    TrackStyle style;
+    style.observations = observations;
+    style.latest_only = true;
+    Drawing drawing;
+    drawTrack(track, nullptr, style, &drawing);
+    return drawing.lines;
+  };
+  const core::Rectangle& front = track.observations.back().rectangle;
+  const auto cross = drawn(ObservationStyle::kCross), axes = drawn(ObservationStyle::kAxes);
+  ASSERT_EQ(cross.size(), 2u);
+  EXPECT_NEAR(length(cross), front.width + front.height, 1e-9);
+  EXPECT_TRUE((cross[0].from + cross[0].to).isApprox(2 * front.center(), 1e-9));
+  ASSERT_EQ(axes.size(), 3u);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = axes[k].to - axes[k].from;
+    EXPECT_TRUE(axis.normalized().isApprox(front.pose.linear().col(k), 1e-9)) << k;
+    EXPECT_EQ(axes[k].paint.color[k], 1) << k;
+  }
+  EXPECT_TRUE(drawn(ObservationStyle::kLine).empty());
+}
+
 TEST(FrontDrawing, ProjectedObservationsLieOnTheModel) {
   core::Track track = openingDoor(20);
   for (core::TrackedObservation& seen : track.observations) seen.rectangle.pose.translation() += Eigen::Vector3d(0, 0.02, 0);
@@ -162,6 +186,20 @@ TEST(FrontDrawing, ObservationsOfWhatHangsOnADoorAreNotProjected) {
   Drawing drawing;
   drawTrack(track, &leaf, style, &drawing);
   EXPECT_TRUE(drawing.texts[0].at.isApprox(track.observations.back().rectangle.center(), 1e-12));
+}
+
+TEST(JointDrawing, OneOfEachTypeIsTheOneSeenLast) {
+  core::LearnedModel now = test::doorModel(), before = now, doubted = now;
+  before.id = 20, before.stamp = now.stamp - 1;
+  doubted.id = 21;
+  for (double& probability : doubted.probabilities) probability /= 2;
+  JointStyle style;
+  style.one_of_each_type = true;
+  Drawing drawing;
+  drawJoints({before, doubted, now, test::drawerModel()}, {}, style, &drawing);
+  std::set<std::string> labels;
+  for (const DrawnText& text : drawing.texts) labels.insert(text.text.substr(0, text.text.find(' ')));
+  EXPECT_EQ(labels, (std::set<std::string>{std::to_string(now.id), std::to_string(test::drawerModel().id)}));
 }
 
 TEST(JointDrawing, RestingFrontsCanBeLeftOut) {

@@ -14,11 +14,6 @@ namespace {
 
 using test::waitFor;
 
-/// An edge is drawn as far as it was observed.
-void seeEdgesOf(std::vector<core::Track>* tracks) {
-  for (core::Track& track : *tracks) track.observations.back().edge_support.fill(1);
-}
-
 /// The pipeline in the namespace `annex` sees one door, 2 m beside that of `cabinet`.
 class Annex : public test::MovingFronts {
  public:
@@ -29,8 +24,6 @@ class Annex : public test::MovingFronts {
     tracks_.resize(1);
     tracks_[0].id = id;
   }
-
-  void seeEdges() { seeEdgesOf(&tracks_); }
 
   void open(double start) {
     for (int i = 0; i < test::kFrames; ++i) {
@@ -109,8 +102,6 @@ TEST_F(TwoKitchens, JointsShowTheOneWhoseTopicsAreChosen) {
 }
 
 TEST_F(TwoKitchens, FrontsShowTheOneWhoseTopicsAreChosen) {
-  seeEdgesOf(&tracks_);
-  annex_->seeEdges();
   rviz::Display* fronts = addDisplay("Fronts");
   fronts->subProp("Latest Only")->setValue(true);
   // Wide lines are billboards, whose box depends on where the camera is.
