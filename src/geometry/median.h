@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 namespace cabinet_articulation::core {
@@ -10,11 +9,6 @@ namespace cabinet_articulation::core {
 constexpr double kDeviationToSigma = 1.4826;
 
 /// The upper of two in the middle; 0 of none.
-inline double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double median(std::vector<double> values);
 
 }  // namespace cabinet_articulation::core

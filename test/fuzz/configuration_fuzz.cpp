@@ -36,8 +36,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       }
       return config;
     };
-    const core::PipelineConfig config{load(core::StereoConfig()), load(core::PlanesConfig()), load(core::RectanglesConfig()),
-                                      load(core::TrackingConfig()), load(core::ArticulationConfig())};
+    const core::PipelineConfig config{load(core::StereoConfig()),       load(core::PlanesConfig()),
+                                      load(core::RectanglesConfig()),   load(core::TrackingConfig()),
+                                      load(core::ArticulationConfig()), load(core::KindsConfig()),
+                                      load(core::StructureConfig())};
     load(StageSettings());
     load(FixedFrameConfig());
     load(ModelFileConfig());
