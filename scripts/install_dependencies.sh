@@ -23,8 +23,8 @@ debian_packages=(
   ros-robot-state-publisher joint-state-publisher
   librosbag-dev python3-rosbag libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure
-  # RViz and what a plugin for it needs, and a display to test it on
-  rviz librviz-dev qtbase5-dev xvfb libgl1-mesa-dri
+  # RViz and what a plugin for it needs, and a display to test it on; Debian 11's librviz-dev forgets libopengl-dev
+  rviz librviz-dev libopengl-dev qtbase5-dev xvfb libgl1-mesa-dri
   # for rostopic echo
   python3-diagnostic-msgs python3-sensor-msgs python3-geometry-msgs python3-std-msgs python3-stereo-msgs
   python3-visualization-msgs python3-tf2-msgs
