@@ -29,13 +29,15 @@ def ask(name, service, **request):
 
 def wait_for_joint(namespace):
     """The first front whose joint is established, and the frame of its poses."""
-    joints, heard = [], [time.monotonic()]
+    joints, said, heard = [], {}, [time.monotonic()]
 
     def look(message):
         heard[0] = time.monotonic()
         for model in message.models:
-            rospy.loginfo('front %d: %s, type %d, %d observations', model.id, 'moved' if model.moved else 'at rest', model.type,
-                          model.observations)
+            state = 'front %d: %s, type %d' % (model.id, 'moved' if model.moved else 'at rest', model.type)
+            if said.get(model.id) != state:
+                rospy.loginfo(state)
+                said[model.id] = state
             if not joints and model.moved and model.support > 0 and model.type in TYPES:
                 joints.append(model)
 

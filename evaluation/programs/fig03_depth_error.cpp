@@ -10,7 +10,7 @@
 #include "sources/recorded_sequence.h"
 #include "sources/simulated_sources.h"
 #include "tables/csv_writer.h"
-#include "tools/run_program.h"
+#include "tools/terminal/run_program.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

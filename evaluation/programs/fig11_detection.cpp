@@ -21,7 +21,7 @@
 #include "tables/csv_writer.h"
 #include "tables/detection_table.h"
 #include "tables/failure_picture.h"
-#include "tools/run_program.h"
+#include "tools/terminal/run_program.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -18,7 +18,7 @@
 #include "sources/track_source.h"
 #include "tables/csv_writer.h"
 #include "tables/statistics.h"
-#include "tools/run_program.h"
+#include "tools/terminal/run_program.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -13,8 +13,8 @@
 #include "sources/recorded_sequence.h"
 #include "sources/track_source.h"
 #include "sources/variants.h"
-#include "tools/pose_log.h"
-#include "tools/run_program.h"
+#include "tools/input/pose_log.h"
+#include "tools/terminal/run_program.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "sources/track_source.h"
-#include "tools/pose_log.h"
+#include "tools/input/pose_log.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {

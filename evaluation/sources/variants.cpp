@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sources/variants.h"
 
-#include "ros/input_settings.h"
+#include "ros/input/input_settings.h"
 #include "stereo/whole_millimetres.h"
 
 namespace cabinet_articulation::core::evaluation {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "cabinet_articulation/articulation/learned_model.h"
-#include "ros/model_drawing.h"
+#include "ros/drawing/model_drawing.h"
 
 namespace cabinet_articulation {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cabinet_articulation/geometry/rectangle.h"
-#include "ros/model_drawing.h"
+#include "ros/drawing/model_drawing.h"
 
 namespace cabinet_articulation {
 

@@ -8,7 +8,7 @@
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "geometry/degrees.h"
-#include "ros/overlay_labels.h"
+#include "ros/drawing/overlay_labels.h"
 #include "rviz_plugin/display_colors.h"
 
 namespace cabinet_articulation {

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "cabinet_articulation/pipeline/pipeline.h"
-#include "tools/config_catalogue.h"
-#include "tools/parameter_tables.h"
+#include "tools/settings/config_catalogue.h"
+#include "tools/settings/parameter_tables.h"
 
 namespace cabinet_articulation::core {
 namespace {

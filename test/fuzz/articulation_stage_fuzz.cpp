@@ -6,7 +6,7 @@
 #include "kinds/kind_memory.h"
 #include "messages.h"
 #include "model_uses.h"
-#include "ros/kind_messages.h"
+#include "ros/messages/kind_messages.h"
 #include "support/ros_messages.h"
 
 using namespace cabinet_articulation;

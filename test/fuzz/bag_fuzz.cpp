@@ -8,8 +8,8 @@
 #include "messages.h"
 #include "scratch_file.h"
 #include "small_frame.h"
-#include "tools/bag_transforms.h"
-#include "tools/frame_bag.h"
+#include "tools/input/bag_transforms.h"
+#include "tools/input/frame_bag.h"
 
 namespace cabinet_articulation::fuzz {
 

@@ -2,7 +2,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "messages.h"
-#include "ros/compressed_images.h"
+#include "ros/images/compressed_images.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

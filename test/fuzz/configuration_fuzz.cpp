@@ -5,9 +5,9 @@
 #include "cabinet_articulation/simulation/simulation_config.h"
 #include "fuzz_target.h"
 #include "nodelets/running/settings.h"
-#include "ros/live_settings.h"
+#include "ros/settings/live_settings.h"
 #include "scratch_file.h"
-#include "tools/config_catalogue.h"
+#include "tools/settings/config_catalogue.h"
 
 using namespace cabinet_articulation;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "messages.h"
-#include "ros/frame_assembler.h"
-#include "ros/plane_messages.h"
+#include "ros/input/frame_assembler.h"
+#include "ros/messages/plane_messages.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

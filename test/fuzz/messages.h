@@ -10,7 +10,7 @@
 
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "fuzz_target.h"
-#include "tools/message_stream.h"
+#include "tools/input/message_stream.h"
 
 namespace cabinet_articulation::fuzz {
 

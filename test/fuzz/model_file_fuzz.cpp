@@ -7,7 +7,7 @@
 #include "fuzz_target.h"
 #include "kinds/kind_memory.h"
 #include "model_uses.h"
-#include "ros/kind_messages.h"
+#include "ros/messages/kind_messages.h"
 #include "scratch_file.h"
 
 using namespace cabinet_articulation;

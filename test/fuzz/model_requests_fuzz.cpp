@@ -13,7 +13,7 @@
 #include "joints/learned_fronts.h"
 #include "messages.h"
 #include "model_uses.h"
-#include "ros/model_answers.h"
+#include "ros/answers/model_answers.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

@@ -4,10 +4,10 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "messages.h"
 #include "model_uses.h"
-#include "ros/input_settings.h"
-#include "ros/markers.h"
-#include "ros/model_drawing.h"
-#include "ros/overlay.h"
+#include "ros/drawing/markers.h"
+#include "ros/drawing/model_drawing.h"
+#include "ros/drawing/overlay.h"
+#include "ros/input/input_settings.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

@@ -4,7 +4,7 @@
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "fuzz_target.h"
 #include "model_uses.h"
-#include "tools/pose_log.h"
+#include "tools/input/pose_log.h"
 
 using namespace cabinet_articulation;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cabinet_articulation/pipeline/pipeline.h"
 #include "messages.h"
-#include "ros/live_settings.h"
+#include "ros/settings/live_settings.h"
 
 using namespace cabinet_articulation;
 

@@ -6,8 +6,8 @@
 #include "cabinet_articulation/ros/conversions.h"
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "messages.h"
-#include "ros/frame_assembler.h"
-#include "ros/plane_messages.h"
+#include "ros/input/frame_assembler.h"
+#include "ros/messages/plane_messages.h"
 #include "small_frame.h"
 
 using namespace cabinet_articulation;

@@ -3,9 +3,9 @@
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "messages.h"
 #include "model_uses.h"
-#include "ros/simulation_conversions.h"
+#include "ros/messages/simulation_conversions.h"
 #include "small_frame.h"
-#include "tools/truth_comparison.h"
+#include "tools/truth/truth_comparison.h"
 
 using namespace cabinet_articulation;
 

@@ -5,7 +5,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2/exceptions.h>
 
-#include "ros/transform_lookup.h"
+#include "ros/transforms/transform_lookup.h"
 #include "support/front_scene.h"
 
 namespace cabinet_articulation::fuzz {

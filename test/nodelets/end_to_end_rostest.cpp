@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "ros/simulation_conversions.h"
+#include "ros/messages/simulation_conversions.h"
 #include "support/ros_probe.h"
-#include "tools/truth_comparison.h"
+#include "tools/truth/truth_comparison.h"
 
 namespace cabinet_articulation {
 namespace {

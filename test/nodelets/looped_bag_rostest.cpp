@@ -17,10 +17,10 @@
 #include <filesystem>
 #include <map>
 
-#include "ros/simulation_conversions.h"
+#include "ros/messages/simulation_conversions.h"
 #include "support/ros_probe.h"
-#include "tools/scene_bag.h"
-#include "tools/truth_comparison.h"
+#include "tools/input/scene_bag.h"
+#include "tools/truth/truth_comparison.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -9,7 +9,7 @@
 #include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "cabinet_articulation/ros/conversions.h"
-#include "ros/model_drawing.h"
+#include "ros/drawing/model_drawing.h"
 #include "support/models.h"
 #include "support/ros_messages.h"
 #include "support/ros_probe.h"

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "cabinet_articulation/ros/image_conversions.h"
-#include "ros/rectifier.h"
+#include "ros/images/rectifier.h"
 #include "support/ros_messages.h"
 #include "support/ros_probe.h"
 

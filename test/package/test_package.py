@@ -49,6 +49,8 @@ STEPS = {
     'articulation': ['paths', 'observations', 'fitting', 'models', 'decision', 'learner'],
     'tracking': ['size', 'motion', 'matching', 'tracker'],
     'nodelets': ['running', 'input', 'models', 'stages'],
+    'ros': ['checks', 'settings', 'images', 'input', 'transforms', 'messages', 'answers', 'drawing'],
+    'tools': ['terminal', 'input', 'settings', 'truth', 'results', 'report', 'programs'],
 }
 FOLDERS = [*LAYERS, 'ros', 'nodelets', 'rviz_plugin', 'tools', 'bridge']
 ROS_HEADERS = re.compile(r'^(ros|rosbag|nodelet|pluginlib|tf|tf2|tf2_\w+|message_filters|image_transport|cv_bridge|'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/clock_jump.h"
+#include "ros/checks/clock_jump.h"
 
 #include <gtest/gtest.h>
 

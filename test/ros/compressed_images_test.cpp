@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/compressed_images.h"
+#include "ros/images/compressed_images.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/frame_assembler.h"
+#include "ros/input/frame_assembler.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/joints.h"
+#include "ros/answers/joints.h"
 
 #include <gtest/gtest.h>
 #include <tf2_eigen/tf2_eigen.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/label_layout.h"
+#include "ros/drawing/label_layout.h"
 
 #include <gtest/gtest.h>
 

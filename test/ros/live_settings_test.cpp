@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/live_settings.h"
+#include "ros/settings/live_settings.h"
 
 #include <gtest/gtest.h>
 

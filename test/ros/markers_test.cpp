@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/markers.h"
+#include "ros/drawing/markers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "ros/model_drawing.h"
+#include "ros/drawing/model_drawing.h"
 #include "support/models.h"
 
 namespace cabinet_articulation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/model_answers.h"
+#include "ros/answers/model_answers.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/overlay.h"
+#include "ros/drawing/overlay.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "articulation/models/model_registry.h"
 #include "cabinet_articulation/joints/hanging.h"
 #include "cabinet_articulation/joints/joint.h"
-#include "ros/model_drawing.h"
-#include "ros/overlay_labels.h"
+#include "ros/drawing/model_drawing.h"
+#include "ros/drawing/overlay_labels.h"
 #include "support/models.h"
 
 namespace cabinet_articulation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/pair_matcher.h"
+#include "ros/input/pair_matcher.h"
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/Image.h>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ros/recent_messages.h"
+#include "ros/input/recent_messages.h"
 
 namespace cabinet_articulation {
 namespace {

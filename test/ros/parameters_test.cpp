@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/parameters.h"
+#include "ros/settings/parameters.h"
 
 #include <gtest/gtest.h>
 

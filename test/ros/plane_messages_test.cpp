@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/plane_messages.h"
+#include "ros/messages/plane_messages.h"
 
 #include <gtest/gtest.h>
 

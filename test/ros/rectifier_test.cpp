@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/rectifier.h"
+#include "ros/images/rectifier.h"
 
 #include <gtest/gtest.h>
 

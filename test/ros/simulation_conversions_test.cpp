@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/simulation_conversions.h"
+#include "ros/messages/simulation_conversions.h"
 
 #include <gtest/gtest.h>
 

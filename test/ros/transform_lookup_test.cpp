@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/transform_lookup.h"
+#include "ros/transforms/transform_lookup.h"
 
 #include <gtest/gtest.h>
 #include <tf2/exceptions.h>

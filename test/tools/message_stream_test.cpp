@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/message_stream.h"
+#include "tools/input/message_stream.h"
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/Image.h>

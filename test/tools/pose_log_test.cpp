@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/pose_log.h"
+#include "tools/input/pose_log.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -2,7 +2,7 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include "tools/scene_bag.h"
+#include "tools/input/scene_bag.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {

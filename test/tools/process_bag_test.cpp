@@ -11,7 +11,7 @@
 #include <set>
 
 #include "geometry/degrees.h"
-#include "tools/scene_bag.h"
+#include "tools/input/scene_bag.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {

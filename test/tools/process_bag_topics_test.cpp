@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "cabinet_articulation/simulation/simulated_stereo_camera.h"
-#include "tools/bag_input.h"
+#include "tools/input/bag_input.h"
 #include "tools/stereo_bag_fixture.h"
 
 namespace cabinet_articulation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/result_bag.h"
+#include "tools/results/result_bag.h"
 
 #include <cabinet_articulation/ArticulationModelArray.h>
 #include <cabinet_articulation/TrackArray.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/scene_bag.h"
+#include "tools/input/scene_bag.h"
 
 #include <cabinet_articulation/SceneTruth.h>
 #include <gtest/gtest.h>

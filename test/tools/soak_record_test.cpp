@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/soak_record.h"
+#include "tools/truth/soak_record.h"
 
 #include <cabinet_articulation/ArticulationModel.h>
 #include <gtest/gtest.h>

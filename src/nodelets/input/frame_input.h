@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "nodelets/input/watched_subscriber.h"
-#include "ros/frame_assembler.h"
+#include "ros/input/frame_assembler.h"
 
 namespace cabinet_articulation {
 

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "ros/transform_lookup.h"
+#include "ros/transforms/transform_lookup.h"
 
 namespace cabinet_articulation {
 namespace {

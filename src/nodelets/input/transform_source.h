@@ -10,8 +10,8 @@
 #include <string>
 
 #include "nodelets/running/callback_threads.h"
-#include "ros/callback_guard.h"
-#include "ros/clock_jump.h"
+#include "ros/checks/callback_guard.h"
+#include "ros/checks/clock_jump.h"
 
 namespace cabinet_articulation {
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "cabinet_articulation/ros/pose_conversions.h"
-#include "ros/callback_guard.h"
+#include "ros/checks/callback_guard.h"
 
 namespace cabinet_articulation {
 

@@ -14,8 +14,8 @@
 #include "cabinet_articulation/ros/pose_conversions.h"
 #include "nodelets/models/offer_service.h"
 #include "nodelets/models/stateless_services.h"
-#include "ros/joints.h"
-#include "ros/kind_messages.h"
+#include "ros/answers/joints.h"
+#include "ros/messages/kind_messages.h"
 
 namespace cabinet_articulation {
 namespace {

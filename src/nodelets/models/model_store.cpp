@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cabinet_articulation/ros/conversions.h"
-#include "ros/joints.h"
+#include "ros/answers/joints.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -18,7 +18,7 @@
 #include "kinds/kind_memory.h"
 #include "nodelets/models/generation_watch.h"
 #include "nodelets/running/settings.h"
-#include "ros/callback_guard.h"
+#include "ros/checks/callback_guard.h"
 
 namespace cabinet_articulation {
 

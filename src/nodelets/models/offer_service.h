@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "cabinet_articulation/joints/known_fronts.h"
-#include "ros/callback_guard.h"
+#include "ros/checks/callback_guard.h"
 
 namespace cabinet_articulation {
 

@@ -2,7 +2,7 @@
 #include "nodelets/models/stateless_services.h"
 
 #include "nodelets/models/offer_service.h"
-#include "ros/model_answers.h"
+#include "ros/answers/model_answers.h"
 
 namespace cabinet_articulation {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/articulation_config.h"
-#include "ros/callback_guard.h"
+#include "ros/checks/callback_guard.h"
 
 namespace cabinet_articulation {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cabinet_articulation/config/config.h"
-#include "ros/input_settings.h"
+#include "ros/input/input_settings.h"
 
 /*
  * What can be set at a nodelet besides the configuration of its stage. In one place, so that the documentation is printed from

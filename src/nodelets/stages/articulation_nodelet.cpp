@@ -17,8 +17,8 @@
 #include "nodelets/models/model_store.h"
 #include "nodelets/running/callback_threads.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "ros/clock_jump.h"
-#include "ros/joints.h"
+#include "ros/answers/joints.h"
+#include "ros/checks/clock_jump.h"
 
 namespace cabinet_articulation {
 

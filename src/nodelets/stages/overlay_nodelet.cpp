@@ -6,11 +6,11 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "nodelets/input/transform_source.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "ros/input_settings.h"
-#include "ros/markers.h"
-#include "ros/model_drawing.h"
-#include "ros/overlay.h"
-#include "ros/recent_messages.h"
+#include "ros/drawing/markers.h"
+#include "ros/drawing/model_drawing.h"
+#include "ros/drawing/overlay.h"
+#include "ros/input/input_settings.h"
+#include "ros/input/recent_messages.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -6,7 +6,7 @@
 #include "nodelets/input/frame_input.h"
 #include "nodelets/stages/stage_nodelet.h"
 #include "pipeline/kept_bends.h"
-#include "ros/plane_messages.h"
+#include "ros/messages/plane_messages.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -15,8 +15,8 @@
 #include "nodelets/input/frame_input.h"
 #include "nodelets/input/transform_source.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "ros/clock_jump.h"
-#include "ros/plane_messages.h"
+#include "ros/checks/clock_jump.h"
+#include "ros/messages/plane_messages.h"
 
 namespace cabinet_articulation {
 

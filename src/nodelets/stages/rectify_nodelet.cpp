@@ -3,8 +3,8 @@
 
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "ros/input_settings.h"
-#include "ros/rectifier.h"
+#include "ros/images/rectifier.h"
+#include "ros/input/input_settings.h"
 
 namespace cabinet_articulation {
 

@@ -18,9 +18,9 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "nodelets/running/callback_threads.h"
 #include "nodelets/running/settings.h"
-#include "ros/callback_guard.h"
-#include "ros/parameters.h"
-#include "ros/simulation_conversions.h"
+#include "ros/checks/callback_guard.h"
+#include "ros/messages/simulation_conversions.h"
+#include "ros/settings/parameters.h"
 
 namespace cabinet_articulation {
 

@@ -18,9 +18,9 @@
 #include "nodelets/running/latest_worker.h"
 #include "nodelets/running/settings.h"
 #include "nodelets/running/stage_health.h"
-#include "ros/callback_guard.h"
-#include "ros/live_settings.h"
-#include "ros/parameters.h"
+#include "ros/checks/callback_guard.h"
+#include "ros/settings/live_settings.h"
+#include "ros/settings/parameters.h"
 
 namespace cabinet_articulation {
 

@@ -6,8 +6,8 @@
 #include "cabinet_articulation/ros/image_conversions.h"
 #include "cabinet_articulation/stereo/block_matcher.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "ros/input_settings.h"
-#include "ros/pair_matcher.h"
+#include "ros/input/input_settings.h"
+#include "ros/input/pair_matcher.h"
 #include "stereo/pair_watch.h"
 
 namespace cabinet_articulation {

@@ -9,7 +9,7 @@
 #include "cabinet_articulation/tracking/rectangle_tracker.h"
 #include "nodelets/input/transform_source.h"
 #include "nodelets/stages/stage_nodelet.h"
-#include "ros/clock_jump.h"
+#include "ros/checks/clock_jump.h"
 
 namespace cabinet_articulation {
 

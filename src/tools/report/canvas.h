@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/model_drawing.h"
+#include "ros/drawing/model_drawing.h"
 
 namespace cabinet_articulation {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/words.h"
+#include "tools/terminal/words.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cabinet_articulation/joints/hanging.h"
-#include "ros/model_drawing.h"
-#include "ros/overlay.h"
+#include "ros/drawing/model_drawing.h"
+#include "ros/drawing/overlay.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -12,7 +12,7 @@
 #include "tools/report/front_charts.h"
 #include "tools/report/html.h"
 #include "tools/report/svg_canvas.h"
-#include "tools/words.h"
+#include "tools/terminal/words.h"
 
 namespace cabinet_articulation {
 namespace {

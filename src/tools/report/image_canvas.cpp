@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "ros/image_color.h"
+#include "ros/images/image_color.h"
 
 namespace cabinet_articulation {
 namespace {

@@ -6,7 +6,7 @@
 #include "geometry/palette.h"
 #include "tools/report/html.h"
 #include "tools/report/svg_canvas.h"
-#include "tools/words.h"
+#include "tools/terminal/words.h"
 
 namespace cabinet_articulation {
 namespace {

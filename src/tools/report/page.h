@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tools/report/front_section.h"
-#include "tools/run_summary.h"
+#include "tools/results/run_summary.h"
 
 namespace cabinet_articulation {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tools/words.h"
+#include "tools/terminal/words.h"
 
 namespace cabinet_articulation {
 namespace {

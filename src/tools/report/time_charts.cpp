@@ -8,7 +8,7 @@
 #include "geometry/median.h"
 #include "geometry/palette.h"
 #include "tools/report/front_charts.h"
-#include "tools/words.h"
+#include "tools/terminal/words.h"
 
 namespace cabinet_articulation {
 namespace {

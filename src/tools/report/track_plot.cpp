@@ -7,7 +7,7 @@
 #include "cabinet_articulation/joints/joint.h"
 #include "tools/report/front_charts.h"
 #include "tools/report/image_canvas.h"
-#include "tools/words.h"
+#include "tools/terminal/words.h"
 
 namespace cabinet_articulation {
 namespace {
