@@ -7,61 +7,13 @@
 
 #include "cabinet_articulation/planes/plane_segmenter.h"
 #include "geometry/degrees.h"
-#include "simulation/cabinet_scenes.h"
-#include "simulation/stereo_renderer.h"
+#include "support/bent_kitchen.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-using Eigen::Vector3d;
-
-const StereoCamera kKinect{640, 480, 525, 525, 319.5, 239.5, 0.075, 0};
-
-/// A kitchen as a depth camera sees it.
-class Kitchen {
- public:
-  Kitchen() {
-    SimulationConfig config;
-    config.scene = "door";
-    scene_ = makeScene(config);
-    config.shadows = false;
-    renderer_ = std::make_unique<StereoRenderer>(config, kKinect);
-  }
-
-  void openDoor(double angle) { angle_ = angle; }
-  void bend(const cv::Mat1f& bend) { bend_ = bend; }
-
-  /// With a Kinect's noise and steps of 1/8 px.
-  DepthFrame seenFrom(const Vector3d& eye, const Vector3d& target) {
-    const Eigen::Isometry3d T_camera_world = lookAt(eye, target).inverse();
-    std::vector<Surface> surfaces = scene_.surfacesAt({angle_});
-    for (Surface& surface : surfaces) surface.rectangle.pose = T_camera_world * surface.rectangle.pose;
-    const cv::Mat1f& depth = renderer_->render(surfaces).depth;
-    DepthFrame frame{kKinect, cv::Mat1f(depth.size(), 0.0F), {}, {}};
-    for (int v = 0; v < depth.rows; ++v)
-      for (int u = 0; u < depth.cols; ++u) {
-        if (!(depth(v, u) > 0)) continue;
-        const double exact = kKinect.disparity(depth(v, u)) + (bend_.empty() ? 0 : bend_(v, u));
-        frame.disparity(v, u) = static_cast<float>(std::round((exact + random_.gaussian(0.1)) * 8) / 8);
-      }
-    return frame;
-  }
-
-  /// A camera that is carried about and looks around.
-  DepthFrame onTour(int i) {
-    const double t = 0.1 * i;
-    const Vector3d eye(1.3 * std::sin(0.37 * t), -1.7 + 0.6 * std::sin(0.61 * t + 1), 1.2 + 0.4 * std::sin(0.83 * t + 2));
-    const Vector3d target(eye.x() + 1.2 * std::sin(0.71 * t), 0, 0.9 + 0.8 * std::sin(0.53 * t));
-    return seenFrom(eye, target);
-  }
-
- private:
-  Scene scene_;
-  std::unique_ptr<StereoRenderer> renderer_;
-  double angle_ = 0;  ///< [rad] of the door
-  cv::Mat1f bend_;    ///< [px]
-  cv::RNG random_{1};
-};
+using test::dome;
+using test::kKinect;
 
 class SensorBendOnTour : public testing::Test {
  protected:
@@ -73,21 +25,10 @@ class SensorBendOnTour : public testing::Test {
     return image;
   }
 
-  Kitchen kitchen_;
+  test::BentKitchen kitchen_;
   PlaneSegmenter planes_{PlanesConfig()};
   SensorBend bend_;
 };
-
-/// A dome of 1 px in the middle of the image, which no polynomial is, without the plane that fits it best.
-cv::Mat1f dome() {
-  cv::Mat1f image(kKinect.height, kKinect.width);
-  for (int v = 0; v < image.rows; ++v)
-    for (int u = 0; u < image.cols; ++u) {
-      const double x = u / 320.0 - 1, y = v / 240.0 - 1;
-      image(v, u) = static_cast<float>(std::exp(-(x * x + y * y)));
-    }
-  return image - cv::mean(image)[0];
-}
 
 TEST_F(SensorBendOnTour, ABendOfOnePixelIsFound) {
   kitchen_.bend(dome());
@@ -100,7 +41,7 @@ TEST_F(SensorBendOnTour, ABendOfOnePixelIsFound) {
 TEST_F(SensorBendOnTour, TheSameFramesGiveTheSameBits) {
   BendVector first;
   for (int run = 0; run < 2; ++run) {
-    Kitchen kitchen;
+    test::BentKitchen kitchen;
     kitchen.bend(dome());
     bend_ = SensorBend();
     for (int i = 0; i < 60; ++i) show(kitchen.onTour(4 * i));
