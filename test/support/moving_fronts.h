@@ -95,6 +95,7 @@ class MovingFronts : public testing::Test {
     header.frame_id = frame_id_;
     TrackArray message = toMessage(tracks_, header);
     message.generation = generation_;
+    if (!view_.empty()) message.view = toMessage(view_);
     output_.publish(message);
   }
 
@@ -124,6 +125,7 @@ class MovingFronts : public testing::Test {
   std::vector<core::Track> tracks_;
   std::string frame_id_ = "map";
   std::uint32_t generation_ = 0;
+  core::DepthView view_;  ///< sent along, unless it is empty
   ros::NodeHandle nh_;
   ros::Publisher output_ = nh_.advertise<TrackArray>("tracks", 10);
   Recorder<ArticulationModelArray> models_;
