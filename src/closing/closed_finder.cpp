@@ -10,7 +10,6 @@
 
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
-#include "closing/closed_search.h"
 #include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
@@ -49,18 +48,25 @@ void ClosedFinder::remember(const std::vector<LearnedModel>& joints) {
     if (!joint.closed_known) continue;
     Place& place = places_[joint.id];
     place.known = true;
-    place.closed = frontAt(joint, joint.q_closed);
+    place.closed.front = frontAt(joint, joint.q_closed);
     place.was_shut = joint.q_min <= joint.q_closed && joint.q_closed <= joint.q_max;
   }
 }
 
 /// Of the joints that were detected in the newest view.
-void ClosedFinder::noteEdges(const std::vector<LearnedModel>& models) {
+void ClosedFinder::noteSightings(const std::vector<LearnedModel>& models) {
   if (memory_.views().empty()) return;
   const DepthView& view = memory_.views().back();
-  for (const LearnedModel& model : models)
-    if (canBeSearched(model) && isSameStamp(model.stamp, view.stamp))
-      places_[model.id].edges.add(look(view, frontAt(model, model.q), kNeighbourBand));
+  for (const LearnedModel& model : models) {
+    if (!canBeSearched(model) || !isSameStamp(model.stamp, view.stamp)) continue;
+    FrontHistory& history = places_[model.id].history;
+    history.edges.add(look(view, frontAt(model, model.q), kNeighbourBand));
+    std::vector<Sighting>& sightings = history.sightings;
+    const auto is_forgotten = [this](const Sighting& sighting) { return !memory_.has(sighting.stamp); };
+    sightings.erase(std::remove_if(sightings.begin(), sightings.end(), is_forgotten), sightings.end());
+    if (sightings.empty() || !isSameStamp(sightings.back().stamp, view.stamp))
+      sightings.push_back({view.stamp, model.predict(model.q)});
+  }
 }
 
 bool ClosedFinder::isDue(const LearnedModel& model, double now) const {
@@ -93,7 +99,7 @@ void ClosedFinder::searchOne(const std::vector<LearnedModel>& models) {
   place.searched = true;
   place.searched_at = now;
   place.observations = next->observations;
-  const std::optional<Rectangle> closed = findClosed(*next, place.edges, memory_.views());
+  const std::optional<ClosedPlace> closed = findClosed(*next, place.history, memory_.views());
   if (!closed) return;
   place.known = true;
   place.closed = *closed;
@@ -110,12 +116,16 @@ void ClosedFinder::watch(const LearnedModel& model, Place* place) const {
   }
   if (view.stamp == place->watched_at || view.stamp < model.stamp) return;
   place->watched_at = view.stamp;
-  const std::optional<bool> shut = showsShut(model, view);
+  const std::optional<bool> shut = showsShut(model, place->closed.turn, place->history.edges, view);
   if (!shut) return;
-  place->shut_views = *shut ? std::min(place->shut_views + 1, kLeastViews) : 0;
-  if (place->shut_views < kLeastViews) return;
-  place->shut_at = view.stamp;
-  place->was_shut = true;
+  int& views = place->shut_views;
+  views = *shut ? std::min(std::max(views, 0) + 1, kLeastViews) : std::max(std::min(views, 0) - 1, -kLeastViews);
+  if (views == kLeastViews) {
+    place->shut_at = view.stamp;
+    place->was_shut = true;
+  } else if (views == -kLeastViews) {
+    place->shut_at = 0;  // it was opened out of sight, nobody knows how far
+  }
 }
 
 /// What is unknown and out of view is searched for anew when it returns.
@@ -131,7 +141,7 @@ void ClosedFinder::forgetOthers(const std::vector<LearnedModel>& models) {
 
 void ClosedFinder::complete(std::vector<LearnedModel>* models) {
   forgetOthers(*models);
-  noteEdges(*models);
+  noteSightings(*models);
   searchOne(*models);
   for (LearnedModel& model : *models) {
     const auto place = places_.find(model.id);
@@ -139,7 +149,7 @@ void ClosedFinder::complete(std::vector<LearnedModel>* models) {
       setClosed(false, 0, &model);
       continue;
     }
-    const double q_closed = configurationInPlaneOf(place->second.closed, model);
+    const double q_closed = configurationInPlaneOf(place->second.closed.front, model);
     const bool still_closed = opensOutwardsFrom(model, q_closed);
     setClosed(still_closed, q_closed, &model);
     if (!still_closed) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cabinet_articulation/articulation/learned_model.h"
-#include "closing/front_in_view.h"
+#include "closing/closed_search.h"
 #include "closing/view_memory.h"
 
 namespace cabinet_articulation::core {
@@ -17,7 +17,8 @@ namespace cabinet_articulation::core {
 /// known, when it was seen a quarter more often.
 ///
 /// The detector loses a front that shuts while it is some degrees open. The views show it shut: then its joint is at q_closed, at
-/// the stamp of the newest view that shows so. What is hidden or out of view stays where it was seen last.
+/// the stamp of the newest view that shows so. Once two views show its place empty, it is where it was detected last. What is
+/// hidden or out of view stays where it was seen last.
 class ClosedFinder {
  public:
   /// What the camera saw in the frame whose joints come next.
@@ -36,19 +37,19 @@ class ClosedFinder {
  private:
   struct Place {
     bool known = false;
-    Rectangle closed;
+    ClosedPlace closed;
     bool searched = false;
     double searched_at = 0;  ///< [s] stamp of the newest view then
     int observations = 0;    ///< of the joint then
-    OwnEdges edges;
+    FrontHistory history;
     double watched_at = 0;  ///< [s] stamp of the newest view in which it was looked whether the front is shut
-    int shut_views = 0;     ///< that show it shut, since one that shows it open
-    double shut_at = 0;     ///< [s] stamp of the newest of these, once they are enough
+    int shut_views = 0;     ///< that show it shut, since one that shows it open; negative: the other way round
+    double shut_at = 0;     ///< [s] stamp of the newest that shows it shut, once they are enough; 0: it is not
     bool was_shut = false;  ///< ever
   };
 
   void forgetOthers(const std::vector<LearnedModel>& models);
-  void noteEdges(const std::vector<LearnedModel>& models);
+  void noteSightings(const std::vector<LearnedModel>& models);
   bool isDue(const LearnedModel& model, double now) const;
   void searchOne(const std::vector<LearnedModel>& models);
   void watch(const LearnedModel& model, Place* place) const;

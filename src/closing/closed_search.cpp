@@ -8,8 +8,9 @@
 #include "cabinet_articulation/geometry/limits.h"
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
-#include "closing/front_in_view.h"
+#include "closing/rest_place.h"
 #include "geometry/median.h"
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
 namespace {
@@ -17,8 +18,9 @@ namespace {
 /// [m] Points that may belong to a plane before it is fitted: it may still be off by as much as neighbours may.
 constexpr double kNear = 2 * kNeighbourBand;
 
-constexpr int kScanStep = 2;         ///< cells; the search needs no more, and most of the time is spent there
-constexpr std::size_t kScanned = 6;  ///< views in which the surface is searched for; it rests, so few do
+constexpr int kScanStep = 2;            ///< cells; the search needs no more, and most of the time is spent there
+constexpr std::size_t kLeastViews = 2;  ///< ours: one may be wrong as a whole
+constexpr std::size_t kScanned = 6;     ///< views in which the surface is searched for; it rests, so few do
 
 struct Steps {
   double size, beyond;
@@ -34,12 +36,14 @@ Steps stepsOf(const LearnedModel& joint) {
 /// bends by as much from one place to the next (measured: up to a degree with a Kinect).
 double sigmaOfFlush(const LearnedModel& joint) { return joint.type == JointType::kPrismatic ? 0.003 : 0.01; }
 
+/// How far a front may be from where it is closed.
+double reachOf(const LearnedModel& joint) { return joint.q_max - joint.q_min + stepsOf(joint).beyond; }
+
 /// [nats] That a front which measures so far from the surface is closed rather than anywhere else within reach.
 double closedLogOdds(const LearnedModel& joint, const Correction& measured) {
   const double flush = sigmaOfFlush(joint);
   const double variance = flush * flush + measured.sigma * measured.sigma;
-  const double reach = joint.q_max - joint.q_min + stepsOf(joint).beyond;
-  return std::log(reach / std::sqrt(2 * M_PI * variance)) - measured.q * measured.q / (2 * variance);
+  return std::log(reachOf(joint) / std::sqrt(2 * M_PI * variance)) - measured.q * measured.q / (2 * variance);
 }
 
 std::vector<const DepthView*> spread(const std::vector<DepthView>& views) {
@@ -56,7 +60,7 @@ std::optional<double> scan(const LearnedModel& joint, const OwnEdges& edges, con
   std::optional<double> best;
   for (double q = joint.q_min - steps.beyond; q <= joint.q_max + steps.beyond; q += steps.size) {
     if (!opensOutwardsFrom(joint, q)) continue;
-    std::array<CellCount, 4> seen;
+    CellsBeside seen;
     const Rectangle front = frontAt(joint, q);
     for (const DepthView* view : views) keepBest(lookBeside(*view, front, kNeighbourBand, kScanStep), edges, &seen);
     const double odds = surfaceLogOdds(seen);
@@ -67,47 +71,66 @@ std::optional<double> scan(const LearnedModel& joint, const OwnEdges& edges, con
   return best;
 }
 
-/// Where the surface around the front is, and how far views scatter about that. It is the median of the views that tell it as
-/// exactly as fronts are flush. Surface that is seen beside a hinge alone does not tell it so.
+/// Where the surface around the front is. Narrow neighbours tell it in no single view as exactly as fronts are flush. It rests,
+/// so the views tell it together: it is their median, weighted by information. Surface beside a hinge alone does not tell it.
 struct Surface {
   double q = 0;
-  double scatter = 0;
+  double sigma = 0;    ///< of the median
+  double scatter = 0;  ///< of the views about that
 };
 
-/// The points beside those edges beyond which the plane goes on; what is farther back or nearer elsewhere is something else.
+struct Weighted {
+  double value = 0, weight = 0;
+};
+
+/// Half of the weight is below it.
+double weightedMedian(std::vector<Weighted> values) {
+  std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  double rest = 0;
+  for (const Weighted& each : values) rest += each.weight / 2;
+  for (const Weighted& each : values)
+    if ((rest -= each.weight) <= 0) return each.value;
+  return 0;
+}
+
+/// The points beside those sides beyond which the plane goes on; what is farther back or nearer elsewhere is something else.
 std::vector<Eigen::Vector3d> surfacePoints(const FrontInView& seen, const OwnEdges& edges) {
   std::vector<Eigen::Vector3d> points;
-  for (std::size_t edge = 0; edge < seen.around.size(); ++edge)
-    if (edges.isEdge(edge) && goesOn(seen.beside[edge]))
-      points.insert(points.end(), seen.around[edge].begin(), seen.around[edge].end());
+  for (std::size_t side = 0; side < kSides; ++side)
+    if (edges.isEdge(side) && goesOn(seen.beside[side]))
+      points.insert(points.end(), seen.around[side].begin(), seen.around[side].end());
   return points;
 }
 
 std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& edges, double q,
                                      const std::vector<const DepthView*>& views) {
   constexpr int kIterations = 4;
-  Surface surface{q, 0};
+  Surface surface{q, 0, 0};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    std::vector<double> corrections;
+    std::vector<Weighted> corrections;
+    double information = 0;
     const Rectangle front = frontAt(joint, surface.q);
     for (const DepthView* view : views) {
       const std::optional<SurfacePlane> plane = fitSurface(surfacePoints(look(*view, front, kNear), edges));
       if (!plane) continue;
       const Correction correction = correctionTo(*plane, joint, surface.q);
-      if (correction.sigma < sigmaOfFlush(joint)) corrections.push_back(correction.q);
+      corrections.push_back({correction.q, 1 / (correction.sigma * correction.sigma)});
+      information += corrections.back().weight;
     }
     if (corrections.empty()) return std::nullopt;
-    const double middle = median(corrections);
-    for (double& correction : corrections) correction = std::abs(correction - middle);
+    surface.sigma = 1 / std::sqrt(information);
+    const double middle = weightedMedian(corrections);
+    for (Weighted& correction : corrections) correction.value = std::abs(correction.value - middle);
     surface.q += middle;
-    surface.scatter = kDeviationToSigma * median(corrections);
+    surface.scatter = kDeviationToSigma * weightedMedian(corrections);
   }
   return surface;
 }
 
-constexpr double kFull = 0.7;  ///< of the cells (ours), beside an arm
+constexpr double kFull = 0.7;  ///< of the cells that the front has (ours), beside an arm
 
-bool isFull(const CellCount& inside) { return inside.in_plane > 0 && inside.in_plane >= kFull * inside.seen(); }
+/// How much of its place a front fills: all of it, unless it is a frame around a hole.
+double fillOf(const LearnedModel& joint, const OwnEdges& edges) { return joint.hollow ? edges.fill() : 1; }
 
 /// A view in which the front closes the surface.
 struct ClosedView {
@@ -115,39 +138,58 @@ struct ClosedView {
   Correction front;  ///< where the front itself is
 };
 
-constexpr double kLogOdds = 3;  ///< [nats] ln 20 (ours), in one view
+constexpr double kLogOdds = 3;  ///< [nats] ln 20 (ours)
 
-std::vector<ClosedView> closedViews(const LearnedModel& joint, const Surface& surface,
+/// Those in which it is rather closed than anywhere else. All of them, for views that agree by chance say nothing.
+std::vector<ClosedView> closedViews(const LearnedModel& joint, const OwnEdges& edges, const Surface& surface,
                                     const std::vector<const DepthView*>& views) {
   std::vector<ClosedView> closed;
   const Rectangle front_there = frontAt(joint, surface.q);
   for (const DepthView* view : views) {
     const FrontInView seen = look(*view, front_there, kNear);
-    const std::optional<SurfacePlane> plane = isFull(seen.inside) ? fitSurface(seen.front) : std::nullopt;
+    const bool is_full = seen.inside.in_plane >= kFull * fillOf(joint, edges) * seen.inside.seen();
+    const std::optional<SurfacePlane> plane = is_full ? fitSurface(seen.front) : std::nullopt;
     if (!plane) continue;
     const Correction front = correctionTo(*plane, joint, surface.q);
-    const double sigma = std::hypot(front.sigma, surface.scatter);
-    if (closedLogOdds(joint, {front.q, sigma}) > kLogOdds) closed.push_back({view, front});
+    const double sigma = std::hypot(front.sigma, surface.sigma, surface.scatter);
+    if (closedLogOdds(joint, {front.q, sigma}) > 0) closed.push_back({view, front});
   }
   return closed;
 }
 
-double meanOf(const std::vector<ClosedView>& closed) {
-  double sum = 0, weights = 0;
-  for (const ClosedView& each : closed) {
-    const double weight = 1 / (each.front.sigma * each.front.sigma);
-    sum += weight * each.front.q;
-    weights += weight;
+/// Relative to the surface.
+std::optional<RestPlace> restOf(const LearnedModel& joint, const Surface& surface, const std::vector<ClosedView>& closed) {
+  const double outwards = openEnd(joint, surface.q) == joint.q_max ? 1 : -1;
+  std::vector<Correction> openings;
+  for (const ClosedView& each : closed) openings.push_back({outwards * each.front.q, each.front.sigma});
+  const Correction flush{0, std::hypot(sigmaOfFlush(joint), surface.sigma)};
+  std::optional<RestPlace> rest = innermostRest(openings, flush, reachOf(joint));
+  if (rest) rest->place.q *= outwards;
+  return rest;
+}
+
+/// How a door's front is turned against its joint in views: the median where it was detected. Its opening is told by where the
+/// front is, and its closed place by its direction, which depth bends. A drawer's is told by its place both times.
+double turnOf(const LearnedModel& joint, const std::vector<Sighting>& sightings, const std::vector<DepthView>& views) {
+  std::vector<double> turns;
+  for (const DepthView& view : views) {
+    const auto is_of_view = [&view](const Sighting& sighting) { return isSameStamp(sighting.stamp, view.stamp); };
+    const auto sighting = std::find_if(sightings.begin(), sightings.end(), is_of_view);
+    if (joint.type != JointType::kRotational || sighting == sightings.end()) continue;
+    const double q = joint.configuration(sighting->front);
+    const std::optional<SurfacePlane> plane = fitSurface(look(view, frontAt(joint, q), kNear).front);
+    if (plane) turns.push_back(correctionTo(*plane, joint, q).q);
   }
-  return sum / weights;
+  return turns.size() < kLeastViews ? 0 : median(turns);
 }
 
 }  // namespace
 
-std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views) {
-  constexpr std::size_t kLeastViews = 2;  // one may be wrong as a whole
+std::optional<ClosedPlace> findClosed(const LearnedModel& joint, const FrontHistory& history,
+                                      const std::vector<DepthView>& views) {
   // A front goes no farther than it could be long: the search is over the whole way.
   if (!leavesItsPlane(joint) || joint.q_max - joint.q_min > limits::kSide.max) return std::nullopt;
+  const OwnEdges& edges = history.edges;
   const std::vector<const DepthView*> scanned = spread(views);
   const std::optional<double> found = scan(joint, edges, scanned);
   if (!found) return std::nullopt;
@@ -157,26 +199,34 @@ std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& e
   // and only those count that agree then.
   std::vector<const DepthView*> all, likely;
   for (const DepthView& view : views) all.push_back(&view);
-  for (const ClosedView& each : closedViews(joint, *surface, all)) likely.push_back(each.view);
+  for (const ClosedView& each : closedViews(joint, edges, *surface, all)) likely.push_back(each.view);
   surface = surfaceAround(joint, edges, surface->q, likely);
-  if (!surface) return std::nullopt;
+  if (!surface || !(surface->sigma < sigmaOfFlush(joint))) return std::nullopt;
   surface->scatter = 0;
-  const std::vector<ClosedView> closed = closedViews(joint, *surface, likely);
-  if (closed.size() < kLeastViews) return std::nullopt;
-  const double q = surface->q + meanOf(closed);
+  const std::optional<RestPlace> rest = restOf(joint, *surface, closedViews(joint, edges, *surface, likely));
+  if (!rest || rest->views < static_cast<int>(kLeastViews)) return std::nullopt;
+  if (!(closedLogOdds(joint, {rest->place.q, std::hypot(rest->place.sigma, surface->sigma)}) > kLogOdds)) return std::nullopt;
+  const double turn = turnOf(joint, history.sightings, views);
+  const double q = surface->q + rest->place.q - turn;
   if (!isWithin(q, limits::kConfiguration) || !opensOutwardsFrom(joint, q)) return std::nullopt;
-  return frontAt(joint, q);
+  return ClosedPlace{frontAt(joint, q), turn};
 }
 
-std::optional<bool> showsShut(const LearnedModel& joint, const DepthView& view) {
+std::optional<bool> showsShut(const LearnedModel& joint, double turn, const OwnEdges& edges, const DepthView& view) {
   const FrontInView seen = look(view, frontAt(joint, joint.q_closed), kNear);
   const CellCount& inside = seen.inside;
-  if (2 * inside.behind > inside.seen() + inside.blind) return false;
+  const int cells = inside.seen() + inside.blind;
+  const double fill = fillOf(joint, edges), half_empty = (1 - fill / 2) * cells;
+  if (inside.behind > half_empty) return false;
+  // A front that was seen shut has depth, and what hides it hides what is beside it, too. A dark cabinet has none.
+  if (inside.behind + inside.blind > half_empty && surfaceLogOdds(seen.beside) > kLogOdds) return false;
   // The rim of an open cabinet may be all of it that has depth: cells without depth count.
-  if (inside.in_plane < kFull * (inside.seen() + inside.blind)) return std::nullopt;
+  if (inside.in_plane < kFull * fill * cells) return std::nullopt;
   const std::optional<SurfacePlane> plane = fitSurface(seen.front);
   if (!plane) return std::nullopt;
-  return closedLogOdds(joint, correctionTo(*plane, joint, joint.q_closed)) > kLogOdds;
+  Correction front = correctionTo(*plane, joint, joint.q_closed);
+  front.q -= turn;
+  return closedLogOdds(joint, front) > kLogOdds;
 }
 
 }  // namespace cabinet_articulation::core

@@ -16,7 +16,8 @@ namespace cabinet_articulation::core {
  * A closed front lies in one surface with its neighbours, so a rectangle detector cannot see it. Its track begins when it is a
  * hand's breadth open, and ends there again. But the joint tells where it was before. Two questions to the views:
  * 1. At which opening does the surface around the front's place lie in the front's plane? This is where it would be closed.
- * 2. Was the front seen there, at rest or on its way? Its place is full then, and the plane through it tells its opening.
+ * 2. Was the front seen at rest there? Its place is full then, and the plane through it tells its opening. All views together
+ *    must make it likely that a front which is so far from the surface closes it.
  * A front that was ajar all the time has an answer to the first question alone, and it was not seen closed.
  */
 
@@ -24,10 +25,30 @@ namespace cabinet_articulation::core {
 /// steps of 12 mm at 2 m.
 constexpr double kNeighbourBand = 0.015;
 
-/// The front where it is closed, in the fixed frame. Nothing unless it was seen there.
-std::optional<Rectangle> findClosed(const LearnedModel& joint, const OwnEdges& edges, const std::vector<DepthView>& views);
+/// A front where it was detected.
+struct Sighting {
+  double stamp = 0;  ///< [s] of the view, too
+  Eigen::Isometry3d front = Eigen::Isometry3d::Identity();
+};
 
-/// Whether a view shows the front of a joint with a known closed position there. No answer: its place is hidden, or not in view.
-std::optional<bool> showsShut(const LearnedModel& joint, const DepthView& view);
+/// What was seen of a front while it was open.
+struct FrontHistory {
+  OwnEdges edges;
+  std::vector<Sighting> sightings;
+};
+
+/// Where a front is closed.
+struct ClosedPlace {
+  Rectangle front;  ///< in the fixed frame
+  double turn = 0;  ///< [rad] by which views see a door's front turned, about its axis, against where its joint has it
+};
+
+/// Nothing unless the front was seen closed.
+std::optional<ClosedPlace> findClosed(const LearnedModel& joint, const FrontHistory& history,
+                                      const std::vector<DepthView>& views);
+
+/// Whether a view shows the front of a joint with a known closed position there. `turn`: of its ClosedPlace. No answer: its place
+/// is hidden, or not in view.
+std::optional<bool> showsShut(const LearnedModel& joint, double turn, const OwnEdges& edges, const DepthView& view);
 
 }  // namespace cabinet_articulation::core

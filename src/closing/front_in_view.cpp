@@ -13,7 +13,7 @@ constexpr double kGap = 0.015;    ///< [m] on both sides of an edge: gaps, and w
 constexpr double kBeside = 0.1;   ///< [m] how far beyond an edge neighbours are looked for: narrower ones are rare (ours)
 constexpr double kGrazing = 0.2;  ///< sine of the least angle to the view at which depth tells of a surface (ours: 12 degrees)
 constexpr int kLeastCells = 3;    ///< beside an edge; fewer say nothing
-// Ours: a front has a neighbour beside half of its edges. Elsewhere a surface hardly ever goes on in the plane of an open front.
+// Ours: a front has a neighbour beside half of its sides. Elsewhere a surface hardly ever goes on in the plane of an open front.
 constexpr double kGoesOn = 2.3;  ///< [nats] ln(0.5 / 0.05)
 constexpr double kEnds = -0.64;  ///< [nats] ln(0.5 / 0.95)
 
@@ -39,15 +39,17 @@ cv::Rect cellsNear(const DepthView& view, const Rectangle& front) {
   return cv::Rect(first, cv::Point(cell(right + 1, view.columns), cell(bottom + 1, view.rows))) & all;
 }
 
-constexpr std::size_t kInside = 4;  ///< the part that is no edge's
+constexpr std::size_t kInside = kSides;  ///< the part that is no side's
 
-/// The edge that a point of the front's plane is beside, or kInside.
+/// The side that a point of the front's plane is beside, or kInside.
 std::optional<std::size_t> partAt(double x, double y, const Rectangle& front) {
   const double beyond_x = std::abs(x) - front.width / 2, beyond_y = std::abs(y) - front.height / 2;
   if (beyond_x < -kGap && beyond_y < -kGap) return kInside;
   if (std::min(beyond_x, beyond_y) > 0 || std::max(beyond_x, beyond_y) < kGap) return std::nullopt;
   if (std::max(beyond_x, beyond_y) > kBeside) return std::nullopt;
-  return beyond_x > beyond_y ? (x < 0 ? kEdgeMinusX : kEdgePlusX) : (y < 0 ? kEdgeMinusY : kEdgePlusY);
+  const bool across = beyond_x > beyond_y;
+  const std::size_t edge = across ? (x < 0 ? kEdgeMinusX : kEdgePlusX) : (y < 0 ? kEdgeMinusY : kEdgePlusY);
+  return 2 * edge + ((across ? y : x) < 0 ? 0 : 1);
 }
 
 enum class Cells : std::uint8_t { kMeasured, kAll };
@@ -94,8 +96,8 @@ FrontInView look(const DepthView& view, const Rectangle& front, double band) {
   return result;
 }
 
-std::array<CellCount, 4> lookBeside(const DepthView& view, const Rectangle& front, double band, int step) {
-  std::array<CellCount, 4> beside;
+CellsBeside lookBeside(const DepthView& view, const Rectangle& front, double band, int step) {
+  CellsBeside beside;
   forEachPoint<Cells::kMeasured>(view, front, step, [&](std::size_t part, float, const Eigen::Vector3d& point) {
     if (part != kInside) count(point, band, &beside[part]);
   });
@@ -105,14 +107,16 @@ std::array<CellCount, 4> lookBeside(const DepthView& view, const Rectangle& fron
 bool goesOn(const CellCount& beside) { return beside.seen() >= kLeastCells && 2 * beside.in_plane > beside.seen(); }
 
 void OwnEdges::add(const FrontInView& seen) {
-  for (std::size_t edge = 0; edge < seen.beside.size(); ++edge) {
-    if (seen.beside[edge].seen() < kLeastCells) continue;
-    ++seen_[edge];
-    if (goesOn(seen.beside[edge])) ++along_[edge];
+  in_plane_ += seen.inside.in_plane;
+  behind_ += seen.inside.behind;
+  for (std::size_t side = 0; side < kSides; ++side) {
+    if (seen.beside[side].seen() < kLeastCells) continue;
+    ++seen_[side];
+    if (goesOn(seen.beside[side])) ++along_[side];
   }
 }
 
-double surfaceLogOdds(const std::array<CellCount, 4>& seen) {
+double surfaceLogOdds(const CellsBeside& seen) {
   double log_odds = 0;
   for (const CellCount& side : seen) {
     if (side.seen() < kLeastCells) continue;
@@ -121,7 +125,7 @@ double surfaceLogOdds(const std::array<CellCount, 4>& seen) {
   return log_odds;
 }
 
-void keepBest(const std::array<CellCount, 4>& seen, const OwnEdges& edges, std::array<CellCount, 4>* best) {
+void keepBest(const CellsBeside& seen, const OwnEdges& edges, CellsBeside* best) {
   for (std::size_t side = 0; side < seen.size(); ++side) {
     CellCount& kept = (*best)[side];
     if (seen[side].seen() < kLeastCells || !edges.isEdge(side)) continue;

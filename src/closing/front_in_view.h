@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cabinet_articulation/geometry/rectangle.h"
@@ -17,42 +19,50 @@ struct CellCount {
   int seen() const { return in_plane + before + behind; }
 };
 
+/// Halves of edges, for a neighbour may be shorter than the front: `Edge` twice, towards smaller coordinates first.
+using CellsBeside = std::array<CellCount, 8>;
+constexpr std::size_t kSides = std::tuple_size<CellsBeside>::value;
+
 /// What a view shows where a front would be, and within a hand's breadth of its edges.
 struct FrontInView {
   CellCount inside;
-  std::array<CellCount, 4> beside;                     ///< in the order of `Edge`
-  std::vector<Eigen::Vector3d> front;                  ///< points near the plane, inside; in the front's frame
-  std::array<std::vector<Eigen::Vector3d>, 4> around;  ///< the same, beside each edge
+  CellsBeside beside;
+  std::vector<Eigen::Vector3d> front;                       ///< points near the plane, inside; in the front's frame
+  std::array<std::vector<Eigen::Vector3d>, kSides> around;  ///< the same, beside each side
 };
 
 /// `band` [m]: points so far from the front's plane still are in it.
 FrontInView look(const DepthView& view, const Rectangle& front, double band);
 
 /// FrontInView::beside alone, of every `step`-th row and column: what a search asks again and again.
-std::array<CellCount, 4> lookBeside(const DepthView& view, const Rectangle& front, double band, int step);
+CellsBeside lookBeside(const DepthView& view, const Rectangle& front, double band, int step);
 
-/// Whether the front's plane goes on beyond an edge, as far as it was seen.
+/// Whether the front's plane goes on beyond a side, as far as it was seen.
 bool goesOn(const CellCount& beside);
 
-/// Which edges have neighbours beside them, or nothing. The image or a hand may have cut the front. What is beside such an edge
-/// is more of the front, and says nothing about where it is closed.
+/// Which sides have neighbours beside them, or nothing. The image or a hand may have cut the front. What is beside such a side
+/// is more of the front, and says nothing about where it is closed. Also how much of the front is there at all.
 class OwnEdges {
  public:
   /// A view in which the front was detected at this place. It was not closed then, so what goes on there goes along.
   void add(const FrontInView& seen);
 
-  /// False for an edge beyond which the front goes on, and while it is not known.
-  bool isEdge(std::size_t edge) const { return 2 * along_[edge] < seen_[edge]; }
+  /// False for a side beyond which the front goes on, and while it is not known.
+  bool isEdge(std::size_t side) const { return 2 * along_[side] < seen_[side]; }
+
+  /// Share of the front that is in its plane, 0 to 1; less than 1 of a frame around a hole. 1 while it is not known.
+  double fill() const { return in_plane_ > 0 ? 1.0 * in_plane_ / (in_plane_ + behind_) : 1; }
 
  private:
-  std::array<int, 4> along_{}, seen_{};  ///< views
+  std::array<int, kSides> along_{}, seen_{};  ///< views
+  std::int64_t in_plane_ = 0, behind_ = 0;    ///< cells inside
 };
 
-/// Log-odds [nats] that the surface that a front closes lies in its plane, from how it goes on beyond the edges. `seen` has the
-/// best view of each edge: neighbours open, too, and arms pass.
-double surfaceLogOdds(const std::array<CellCount, 4>& seen);
+/// Log-odds [nats] that the surface that a front closes lies in its plane, from how it goes on beyond the sides. `seen` has the
+/// best view of each side: neighbours open, too, and arms pass.
+double surfaceLogOdds(const CellsBeside& seen);
 
-/// Keeps for each edge the view in which most of it is in the plane.
-void keepBest(const std::array<CellCount, 4>& seen, const OwnEdges& edges, std::array<CellCount, 4>* best);
+/// Keeps for each side the view in which most of it is in the plane.
+void keepBest(const CellsBeside& seen, const OwnEdges& edges, CellsBeside* best);
 
 }  // namespace cabinet_articulation::core

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "closing/view_memory.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
 
@@ -22,6 +25,10 @@ void ViewMemory::add(DepthView view) {
     least_loss = loss;
   }
   views_.erase(views_.begin() + static_cast<std::ptrdiff_t>(least));
+}
+
+bool ViewMemory::has(double stamp) const {
+  return std::any_of(views_.begin(), views_.end(), [stamp](const DepthView& view) { return isSameStamp(view.stamp, stamp); });
 }
 
 }  // namespace cabinet_articulation::core

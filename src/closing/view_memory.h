@@ -19,6 +19,9 @@ class ViewMemory {
   /// Oldest first.
   const std::vector<DepthView>& views() const { return views_; }
 
+  /// Whether the view of this stamp is still there.
+  bool has(double stamp) const;
+
  private:
   std::vector<DepthView> views_;
 };

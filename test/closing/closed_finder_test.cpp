@@ -60,6 +60,21 @@ class Closing : public testing::Test {
     for (int i = 0; i < kRest; ++i) show(depth);
   }
 
+  /// The front is gone, and nothing of what was behind it has depth.
+  void emptyPlaceOf(const LearnedModel& joint) {
+    DepthFrame depth = result_.frame;
+    depth.disparity = depth.disparity.clone();
+    const Rectangle front = frontAt(joint, joint.q_closed);
+    for (int v = 0; v < depth.disparity.rows; ++v)
+      for (int u = 0; u < depth.disparity.cols; ++u) {
+        const Eigen::Vector3d ray((u - depth.camera.cx) / depth.camera.fx, (v - depth.camera.cy) / depth.camera.fy, 1);
+        const double along = front.normal().dot(front.center()) / front.normal().dot(ray);
+        const Eigen::Vector3d at = front.pose.inverse() * (along * ray);
+        if (std::abs(at.x()) < front.width / 2 && std::abs(at.y()) < front.height / 2) depth.disparity(v, u) = 0;
+      }
+    for (int i = 0; i < kRest; ++i) show(depth);
+  }
+
   void show(const DepthFrame& depth) {
     result_ = pipeline_.process(100 + frames_++ / kRate, depth);
     for (const LearnedModel& model : result_.models) {
@@ -182,6 +197,15 @@ TEST_F(Closing, OfAShutDoorIsLeftWhenItOpensAgain) {
   expectShut();
   show("door", {0, 0.5, true, false});
   EXPECT_NEAR(joint_->opening, 0.5, 0.1);
+}
+
+TEST_F(Closing, OfAShutDoorIsLeftWhenItIsGoneAndItsCabinetHasNoDepth) {
+  show("door", {});
+  expectShut();
+  emptyPlaceOf(*joint_);
+  ASSERT_TRUE(joint_->closed_known);
+  EXPECT_GT(joint_->opening, 0.01) << "as it was detected last";
+  EXPECT_LT(joint_->stamp, result_.view.stamp - 0.1);
 }
 
 TEST_F(Closing, OfADoorThatWasAjarAllTheTimeIsUnknown) {

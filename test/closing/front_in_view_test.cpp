@@ -51,15 +51,38 @@ TEST(FrontInView, FromBehindOrOutOfTheImageShowsNothing) {
 }
 
 TEST(FrontInView, WhatGoesAlongWithTheFrontIsNoNeighbour) {
+  constexpr std::size_t kRight = 2 * kEdgePlusX, kAbove = 2 * kEdgeMinusY, kBelow = 2 * kEdgePlusY;
   OwnEdges edges;
-  EXPECT_FALSE(edges.isEdge(kEdgePlusX)) << "not known yet";
+  EXPECT_FALSE(edges.isEdge(kRight)) << "not known yet";
   FrontInView open;
-  open.beside[kEdgePlusX] = {0, 0, 20};
-  open.beside[kEdgeMinusY] = {18, 0, 2};
+  open.beside[kRight] = {0, 0, 20};
+  open.beside[kAbove] = {18, 0, 2};
   edges.add(open);
-  EXPECT_TRUE(edges.isEdge(kEdgePlusX));
-  EXPECT_FALSE(edges.isEdge(kEdgeMinusY)) << "the image cut the front there";
-  EXPECT_FALSE(edges.isEdge(kEdgePlusY)) << "not in view";
+  EXPECT_TRUE(edges.isEdge(kRight));
+  EXPECT_FALSE(edges.isEdge(kAbove)) << "the image cut the front there";
+  EXPECT_FALSE(edges.isEdge(kBelow)) << "not in view";
+}
+
+TEST(FrontInView, ANeighbourMayBeHalfAsHigh) {
+  DepthView view = wall();
+  for (int row = 0; row < view.rows / 2; ++row)
+    for (int column = 0; column < view.columns; ++column) view.depth[row * view.columns + column] = 2;
+  const FrontInView seen = look(view, frontAtDepth(1.5), kBand);
+  int along = 0;
+  for (const CellCount& side : seen.beside) {
+    EXPECT_GT(side.seen(), 3);
+    along += goesOn(side) ? 1 : 0;
+  }
+  EXPECT_EQ(along, 4) << "both halves of the lower edge, and the lower halves of those left and right";
+}
+
+TEST(FrontInView, HowMuchOfAFrontIsThereIsSeenWhereItIsOpen) {
+  OwnEdges edges;
+  EXPECT_EQ(edges.fill(), 1) << "not known yet";
+  FrontInView open;
+  open.inside = {40, 15, 60};
+  edges.add(open);
+  EXPECT_DOUBLE_EQ(edges.fill(), 0.4) << "what is before it hides it";
 }
 
 TEST(SurfacePlane, IsFoundBesideAHandle) {

@@ -42,6 +42,8 @@ TEST(ViewMemory, StartsAnewWhenTimeIsSetBack) {
   memory.add(viewAt(3));
   memory.add(viewAt(3));
   EXPECT_EQ(memory.views().size(), 2u) << "sent twice";
+  EXPECT_TRUE(memory.has(3));
+  EXPECT_FALSE(memory.has(5)) << "forgotten";
 }
 
 }  // namespace
