@@ -1,38 +1,48 @@
 #!/usr/bin/python3
-"""How often answers are right, by the probability they state: reliability.py ANSWERS.csv LABELS.csv [--plot OUT.png]
+"""How often answers are right, by the probability they state: reliability.py ANSWERS.csv... [--plot OUT.png] [--list]
 
-ANSWERS.csv is what learner_answers writes, LABELS.csv has the columns file and type. Each front has one vote, which its answers
-after some of its observations share, and another for its last answer. Only answers that something moved are counted.
+ANSWERS.csv is what learner_answers writes of logs, sequences and scenes, with the truth. Each front has one vote, which its
+answers after some of its observations share, and another for its last answer. Only answers that something moved are counted.
+--list names the fronts whose last answer is sure and wrong.
 """
 import argparse
 import csv
+import re
 from collections import defaultdict
 
-# By the constants of ArticulationModel.msg.
+RIGID, CURVE = 0, 3  # by the constants of ArticulationModel.msg
 NAMES = ['rigid', 'prismatic', 'rotational', 'other', 'screw']
 BINS = [0.0, 0.5, 0.8, 0.95, 0.99, 1.0]
 SURE = 0.95
 
 
 def answers(path):
-    """(source, number of observations, type, probability) of every answer, in order."""
+    """(front, number of observations or frame, fields) of every answer, in order."""
     found = defaultdict(dict)
     with open(path, newline='') as file:
         for row in csv.DictReader(file):
-            if row['answer'].startswith('after'):
-                found[row['source'], int(row['answer'][len('after'):])][row['field']] = float(row['value'])
-    for (source, count), fields in sorted(found.items()):
-        kind = int(fields['type'])
-        unexplained = fields['moved'] and not fields['explained']
-        yield source, count, 'other' if unexplained else NAMES[kind], fields.get('probability%d' % kind, 0.0)
+            of_log = re.fullmatch(r'after(\d+)', row['answer'])
+            of_sequence = re.fullmatch(r'frame(\d+)/(\d+)', row['answer'])
+            if of_log:
+                key = row['source'], int(of_log.group(1))
+            elif of_sequence:
+                key = '%s, front %s' % (row['source'], of_sequence.group(2)), int(of_sequence.group(1))
+            else:
+                continue
+            found[key][row['field']] = float(row['value'])
+    for (front, count), fields in sorted(found.items()):
+        yield front, count, fields
 
 
-def votes(path, types):
-    """Of every front: a list of (probability, right) of its answers that it moved."""
+def votes(path):
+    """Of every front: a list of (probability, told type, true type) of its answers that it moved."""
     by_front = defaultdict(list)
-    for source, _, name, probability in answers(path):
-        if source in types and name != 'rigid':
-            by_front[source].append((probability, name == types[source]))
+    for front, _, fields in answers(path):
+        kind = int(fields['type'])
+        if kind == RIGID or not fields['observed']:
+            continue
+        told = kind if fields['explained'] else CURVE
+        by_front[front].append((fields['probability%d' % told], told, int(fields['truth'])))
     return by_front
 
 
@@ -40,17 +50,17 @@ def table(by_front):
     """Rows of (from, to, votes, share right)."""
     weight, right = defaultdict(float), defaultdict(float)
     for front in by_front.values():
-        for probability, is_right in front:
+        for probability, told, truth in front:
             place = max(i for i, low in enumerate(BINS[:-1]) if probability >= low)
             weight[place] += 1 / len(front)
-            right[place] += is_right / len(front)
+            right[place] += (told == truth) / len(front)
     return [(BINS[i], BINS[i + 1], weight[i], right[i] / weight[i]) for i in sorted(weight)]
 
 
 def sure(by_front):
     """Votes of sure answers, and how many of them are right."""
-    total = sum(sum(p > SURE for p, _ in front) / len(front) for front in by_front.values())
-    return total, sum(sum(p > SURE and ok for p, ok in front) / len(front) for front in by_front.values())
+    total = sum(sum(p > SURE for p, _, _ in front) / len(front) for front in by_front.values())
+    return total, sum(sum(p > SURE and told == truth for p, told, truth in front) / len(front) for front in by_front.values())
 
 
 def plot(rows, path):
@@ -67,21 +77,23 @@ def plot(rows, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('answers')
-    parser.add_argument('labels')
+    parser.add_argument('answers', nargs='+')
     parser.add_argument('--plot')
+    parser.add_argument('--list', action='store_true')
     options = parser.parse_args()
-    with open(options.labels, newline='') as file:
-        types = {row['file']: row['type'] for row in csv.DictReader(file)}
-    by_front = votes(options.answers, types)
+    by_front = {(path, front): given for path in options.answers for front, given in votes(path).items()}
+    last = {front: given[-1:] for front, given in by_front.items()}
     rows = table(by_front)
     print('probability    votes  right')
     for low, high, count, share in rows:
         print('%.2f to %.2f  %6.1f  %4.0f %%' % (low, high, count, 100 * share))
     total, right = sure(by_front)
     print('P > %.2f, all answers: %.1f of %.1f votes right' % (SURE, right, total))
-    total, right = sure({source: front[-1:] for source, front in by_front.items()})
+    total, right = sure(last)
     print('P > %.2f, last answers: %d of %d right' % (SURE, right, total))
+    for (_, front), [(probability, told, truth)] in last.items():
+        if options.list and probability > SURE and told != truth:
+            print('%s: %s with %.3f, is %s' % (front, NAMES[told], probability, NAMES[truth]))
     if options.plot:
         plot(rows, options.plot)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes all that is learned from given logs and sequences, to the last bit: compare_answers.py tells what a change changed.
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <opencv2/core/utility.hpp>
@@ -10,6 +11,7 @@
 #include "cabinet_articulation/articulation/articulation_learner.h"
 #include "programs/options.h"
 #include "programs/parallel.h"
+#include "scores/learned_run.h"
 #include "sources/recorded_sequence.h"
 #include "sources/track_source.h"
 #include "sources/variants.h"
@@ -30,6 +32,7 @@ class Answers {
     addAll("probability", model.probabilities.data(), model.probabilities.size());
     for (const auto& [name, flag] : {std::pair("moved", model.moved),
                                      {"explained", model.explained},
+                                     {"observed", model.observed},
                                      {"hollow", model.hollow},
                                      {"q_min_is_end", model.q_min_is_end},
                                      {"q_max_is_end", model.q_max_is_end}})
@@ -54,6 +57,12 @@ class Answers {
     addAll("covariance", model.covariance.data(), static_cast<std::size_t>(model.covariance.size()));
     for (const ModelParam& param : model.params) add("params." + param.name, param.value);
     for (std::size_t i = 0; i < model.curve.size(); ++i) add("curve" + std::to_string(i), model.curve[i]);
+  }
+
+  /// How that front moves in truth.
+  void addTruth(const std::string& answer, JointType type) {
+    prefix_ = answer + ',';
+    add("truth", static_cast<int>(type));
   }
 
   void addRefusal(const std::string& answer) {
@@ -83,6 +92,12 @@ class Answers {
   std::string prefix_, lines_;
 };
 
+/// A motion that no joint makes is that of a curve.
+JointType typeOfLabel(const LabelledLog& label) {
+  const SourceFacts facts = openPoseLog(label.path, label.file, label.type)->facts();
+  return facts.explainable ? facts.type : JointType::kNonparametric;
+}
+
 /// All candidates for the whole log, and what is known while it grows.
 void answerLog(const LabelledLog& label, Answers* answers) {
   PoseLog log;
@@ -95,6 +110,7 @@ void answerLog(const LabelledLog& label, Answers* answers) {
   config.use_orientation = log.columns > 3;
   const std::vector<LearnedModel> candidates = fitAllModels(log.track, config);
   for (std::size_t i = 0; i < candidates.size(); ++i) answers->add(label.file + ",candidate" + std::to_string(i), candidates[i]);
+  const JointType truth = typeOfLabel(label);
   ArticulationLearner learner(config);
   Track track = log.track;
   track.observations.clear();
@@ -102,20 +118,34 @@ void answerLog(const LabelledLog& label, Answers* answers) {
     track.observations.push_back(observation);
     const std::vector<LearnedModel> models = learner.process({track});
     const std::size_t count = track.observations.size();
-    if (!models.empty() && (count % kEvery == 0 || count == log.track.observations.size()))
-      answers->add(label.file + ",after" + std::to_string(count), models[0]);
+    if (models.empty() || (count % kEvery != 0 && count != log.track.observations.size())) continue;
+    const std::string answer = label.file + ",after" + std::to_string(count);
+    answers->add(answer, models[0]);
+    answers->addTruth(answer, truth);
   }
 }
 
 void answerSequence(const std::string& folder, const Variant& variant, Answers* answers) {
   const std::unique_ptr<FrameSource> source = openRecordedSequence(folder);
   if (source->independent()) return;
+  // Scenes of several folders may have the same name.
+  const std::filesystem::path of_folder = std::filesystem::absolute(folder).lexically_normal().parent_path().filename();
+  const std::string name = (of_folder / source->name() / variant.name).string();
   Observer observer(variant);
+  std::vector<Frame> frames;  // without images
+  std::vector<std::pair<int, LearnedModel>> learned;
   for (int i = 0; i < source->size(); ++i) {
-    const PipelineResult seen = observer.see(source->frame(i), source->camera());
+    const Frame frame = source->frame(i);
+    if (!frame.depth.empty() && variant.from_depth) return;  // it delivers depth as it is
+    frames.push_back({frame.stamp, frame.T_world_camera, {}, {}, {}, frame.fronts});
+    const PipelineResult seen = observer.see(frame, source->camera());
     if (i % static_cast<int>(kEvery) != 0 && i + 1 != source->size()) continue;
-    for (const LearnedModel& model : seen.models)
-      answers->add(source->name() + '/' + variant.name + ",frame" + std::to_string(i) + '/' + std::to_string(model.id), model);
+    for (const LearnedModel& model : seen.models) learned.emplace_back(i, model);
+  }
+  for (const auto& [i, model] : learned) {
+    const std::string answer = name + ",frame" + std::to_string(i) + '/' + std::to_string(model.id);
+    answers->add(answer, model);
+    answers->addTruth(answer, trueType(model, frames));
   }
 }
 
@@ -123,11 +153,12 @@ int run(int argc, char** argv) {
   const Options options(argc, argv, {{"sequences", ""}, {"tracks", ""}});
   cv::setNumThreads(1);  // the cores work on different sources
   std::vector<std::function<void(Answers*)>> sources;
-  for (const LabelledLog& log : findLogs(options.text("tracks")))
-    sources.push_back([=](Answers* answers) { answerLog(log, answers); });
-  for (const std::string& folder : findSequences(options.text("sequences"), false))
-    for (const Variant& variant : {ourVariant(), depthVariant()})
-      sources.push_back([=](Answers* answers) { answerSequence(folder, variant, answers); });
+  for (const std::string& folder : options.texts("tracks"))
+    for (const LabelledLog& log : findLogs(folder)) sources.push_back([=](Answers* answers) { answerLog(log, answers); });
+  for (const std::string& all : options.texts("sequences"))
+    for (const std::string& folder : findSequences(all, false))
+      for (const Variant& variant : {ourVariant(), depthVariant()})
+        sources.push_back([=](Answers* answers) { answerSequence(folder, variant, answers); });
   std::vector<Answers> answers(sources.size());
   parallelFor(static_cast<int>(sources.size()), [&](int i) { sources[i](&answers[i]); });
   const std::string path = options.out("answers.csv");

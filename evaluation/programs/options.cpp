@@ -8,9 +8,9 @@
 namespace cabinet_articulation::core::evaluation {
 namespace fs = std::filesystem;
 
-Options::Options(int argc, char** argv, std::map<std::string, std::string> defaults) : values_(std::move(defaults)) {
+Options::Options(int argc, char** argv, std::map<std::string, std::string> defaults) {
   std::string usage = "usage: " + fs::path(argv[0]).filename().string();
-  for (const auto& [name, value] : values_) usage += " [--" + name + " " + (value.empty() ? "FOLDER" : value) + "]";
+  for (const auto& [name, value] : defaults) usage += " [--" + name + " " + (value.empty() ? "FOLDER" : value) + "]";
   usage += " OUT";
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -19,17 +19,19 @@ Options::Options(int argc, char** argv, std::map<std::string, std::string> defau
       folder_ = argument;
       continue;
     }
-    const auto option = values_.find(argument.substr(2));
-    if (option == values_.end()) throw std::invalid_argument("unknown option " + argument + "\n" + usage);
+    const std::string name = argument.substr(2);
+    if (defaults.count(name) == 0) throw std::invalid_argument("unknown option " + argument + "\n" + usage);
     if (++i == argc) throw std::invalid_argument("a value is missing after " + argument + "\n" + usage);
-    option->second = argv[i];
+    values_[name].push_back(argv[i]);
   }
+  for (const auto& [name, value] : defaults)
+    if (values_[name].empty()) values_[name] = {value};
   if (folder_.empty()) throw std::invalid_argument(usage);
   fs::create_directories(folder_);
 }
 
 int Options::count(const std::string& name) const {
-  const std::string& value = values_.at(name);
+  const std::string& value = text(name);
   if (value.empty() || value.size() > 8 || value.find_first_not_of("0123456789") != std::string::npos)
     throw std::invalid_argument("--" + name + " must be a whole number, not '" + value + "'");
   return std::stoi(value);

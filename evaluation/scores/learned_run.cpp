@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "articulation/models/model_registry.h"
 
@@ -47,6 +48,25 @@ std::vector<TrueJoint> findJoints(const std::vector<Frame>& frames) {
     joints.push_back(joint);
   }
   return joints;
+}
+
+JointType trueType(const LearnedModel& model, const std::vector<Frame>& frames) {
+  const auto isNearer = [&](const Frame& a, const Frame& b) {
+    return std::abs(a.stamp - model.stamp) < std::abs(b.stamp - model.stamp);
+  };
+  const Frame& seen = *std::min_element(frames.begin(), frames.end(), isNearer);
+  const Eigen::Vector3d center = seen.T_world_camera.inverse() * model.predict(model.q).translation();
+  const Front* front = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Front& other : seen.fronts) {
+    const double distance = (other.rectangle.center() - center).norm();
+    if (distance >= std::min(least, std::max(other.rectangle.width, other.rectangle.height) / 2)) continue;
+    least = distance;
+    front = &other;
+  }
+  for (const TrueJoint& joint : findJoints(frames))
+    if (front && joint.name == front->name) return joint.type;
+  return JointType::kRigid;
 }
 
 void LearnedRun::add(const std::vector<LearnedModel>& models) {

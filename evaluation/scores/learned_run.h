@@ -25,6 +25,9 @@ struct TrueJoint {
 /// The joints of the fronts that opened by more than 3 cm.
 std::vector<TrueJoint> findJoints(const std::vector<Frame>& frames);
 
+/// How the front moves on which the model's front lies at its stamp. Rigid: that front did not open, or none is there.
+JointType trueType(const LearnedModel& model, const std::vector<Frame>& frames);
+
 /// What was learned about one joint: the model that predicts its front best, of those that moved.
 struct LearnedJoint {
   LearnedModel model;

@@ -28,10 +28,11 @@ struct Frame {
   double stamp = 0;  ///< [s]
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   cv::Mat1b left, right;
+  cv::Mat1w depth;            ///< [mm] of a depth camera in place of the pair; empty: there is a pair
   std::vector<Front> fronts;  ///< the same ones in the same order in every frame
 };
 
-/// Stereo pairs with ground truth, from the simulator or from a folder. A frame depends on its index alone.
+/// Stereo pairs or depth images with ground truth, from the simulator or from a folder. A frame depends on its index alone.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -92,8 +93,12 @@ class RecordedSequence : public FrameSource {
 
   Frame frame(int index) override {
     Frame frame = frames_.at(index);
-    frame.left = readImage("left", index);
-    frame.right = readImage("right", index);
+    if (!std::filesystem::exists(file("left", 0)) && std::filesystem::exists(file("depth", 0))) {
+      frame.depth = readImage<std::uint16_t>("depth", index, cv::IMREAD_UNCHANGED);
+      return frame;
+    }
+    frame.left = readImage<std::uint8_t>("left", index, cv::IMREAD_GRAYSCALE);
+    frame.right = readImage<std::uint8_t>("right", index, cv::IMREAD_GRAYSCALE);
     return frame;
   }
 
@@ -123,11 +128,17 @@ class RecordedSequence : public FrameSource {
     return frame;
   }
 
-  cv::Mat1b readImage(const char* side, int index) const {
-    char file[32];
-    std::snprintf(file, sizeof(file), "/%s_%04d.png", side, index);
-    cv::Mat1b image = cv::imread(folder_ + file, cv::IMREAD_GRAYSCALE);
-    if (image.empty()) throw std::runtime_error("cannot read " + folder_ + file);
+  std::string file(const char* kind, int index) const {
+    char name[32];
+    std::snprintf(name, sizeof(name), "/%s_%04d.png", kind, index);
+    return folder_ + name;
+  }
+
+  template <class Value>
+  cv::Mat_<Value> readImage(const char* kind, int index, int how) const {
+    const cv::Mat image = cv::imread(file(kind, index), how);
+    if (image.empty() || image.type() != cv::DataType<Value>::type)
+      throw std::runtime_error("cannot read " + file(kind, index) + ", or not of " + std::to_string(8 * sizeof(Value)) + " bits");
     return image;
   }
 

@@ -9,8 +9,8 @@
 namespace cabinet_articulation::core::evaluation {
 
 /// A folder with left_####.png, right_####.png, calibration.json (CameraInfo fields of both cameras) and truth.json (poses
-/// of all fronts in the left optical frame; see README.md). Without calibration.json, its content is `calibration` in truth.json.
-/// Throws std::runtime_error that names the file.
+/// of all fronts in the left optical frame; see README.md). Without a left_0000.png, depth_####.png takes the place of the pair.
+/// Without calibration.json, its content is `calibration` in truth.json. Throws std::runtime_error that names the file.
 std::unique_ptr<FrameSource> openRecordedSequence(const std::string& folder);
 
 }  // namespace cabinet_articulation::core::evaluation

@@ -20,7 +20,7 @@ class SimulatedRun : public FrameSource {
 
   Frame frame(int index) override {
     const StereoFrame image = simulator_.frame(index);
-    Frame frame{image.truth.time, image.truth.T_world_camera, image.left, image.right, {}};
+    Frame frame{image.truth.time, image.truth.T_world_camera, image.left, image.right, {}, {}};
     for (const FrontTruth& truth : image.truth.joints) frame.fronts.push_back(makeFront(truth, image, camera()));
     return frame;
   }

@@ -47,7 +47,7 @@ class SingleFronts : public FrameSource {
     config.noise_seed = index;
     SimulatedStereoCamera simulator(config, makeScene(index), MotionScript({}));
     const StereoFrame image = simulator.frame(0);
-    Frame frame{index / config.rate, image.truth.T_world_camera, image.left, image.right, {}};
+    Frame frame{index / config.rate, image.truth.T_world_camera, image.left, image.right, {}, {}};
     frame.fronts = {makeFront(image.truth.fixed.at(0), image, camera_)};
     frame.fronts[0].opened = std::numeric_limits<double>::infinity();
     return frame;

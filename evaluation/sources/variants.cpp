@@ -14,8 +14,10 @@ Variant paperVariant() { return {"paper", PipelineConfig::paper(), false}; }
 Observer::Observer(const Variant& variant) : variant_(variant), matcher_(variant.config.stereo), pipeline_(variant.config) {}
 
 PipelineResult Observer::see(const Frame& frame, const StereoCamera& camera) {
-  if (!variant_.from_depth) return pipeline_.process(frame.stamp, frame.left, frame.right, camera, frame.T_world_camera);
-  const cv::Mat1w depth = wholeMillimetres(matcher_.process(frame.left, frame.right, camera));
+  const bool has_pair = frame.depth.empty();
+  if (has_pair && !variant_.from_depth)
+    return pipeline_.process(frame.stamp, frame.left, frame.right, camera, frame.T_world_camera);
+  const cv::Mat1w depth = has_pair ? wholeMillimetres(matcher_.process(frame.left, frame.right, camera)) : frame.depth;
   StereoCamera depth_camera = camera;
   depth_camera.baseline = FrameInputConfig().virtual_baseline;
   depth_camera.cx_difference = 0;

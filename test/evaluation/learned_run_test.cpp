@@ -38,6 +38,23 @@ std::vector<Frame> doorFrames() {
   return frames;
 }
 
+TEST(LearnedRun, TheTruthIsThatOfTheFrontOnWhichAModelLies) {
+  std::vector<Frame> frames = doorFrames();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].stamp = static_cast<double>(i);
+    frames[i].fronts[0].rectangle = {frames[i].T_world_camera.inverse() * Eigen::Translation3d(1, 0, 1.5), 0.4, 0.6};
+  }
+  LearnedModel model = door();
+  model.stamp = 10;
+  model.q = 10 * kStep;
+  EXPECT_EQ(trueType(model, frames), JointType::kRotational);
+  model.origin.translation().y() = 0.5;
+  EXPECT_EQ(trueType(model, frames), JointType::kRigid) << "no front is there";
+  model.origin.translation() = Eigen::Vector3d(1.05, 0, 1.5);
+  model.q = 0;
+  EXPECT_EQ(trueType(model, frames), JointType::kRigid) << "a front that stays";
+}
+
 TEST(LearnedRun, TruePosesTellTheAxis) {
   const std::vector<TrueJoint> joints = findJoints(doorFrames());
   ASSERT_EQ(joints.size(), 1U);

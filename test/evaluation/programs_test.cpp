@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -146,6 +147,17 @@ TEST_F(ProgramsTest, AnswersAreComparedValueByValue) {
   EXPECT_FALSE(same(write("other_type.csv")));
   text.erase(at, type.size());
   EXPECT_FALSE(same(write("without_type.csv")));
+}
+
+TEST_F(ProgramsTest, AnswersAreCountedByWhatTheySay) {
+  const std::string script = "/usr/bin/python3 " SCRIPTS "/reliability.py --list ", answers = (folder() / "answers.csv").string();
+  const std::string counts = (folder() / "counts.txt").string(), wrong = (folder() / "wrong.csv").string();
+  ASSERT_EQ(std::system((script + answers + " >" + counts).c_str()), 0);
+  EXPECT_NE(readText(counts).find("last answers: 1 of 1 right"), std::string::npos) << readText(counts);
+  std::ofstream(wrong) << std::regex_replace(readText(answers), std::regex(",truth,1\n"), ",truth,2\n");
+  ASSERT_EQ(std::system((script + answers + " " + wrong + " >" + counts).c_str()), 0);
+  EXPECT_NE(readText(counts).find("last answers: 1 of 2 right"), std::string::npos) << readText(counts);
+  EXPECT_NE(readText(counts).find("drawer.txt: prismatic with"), std::string::npos) << readText(counts);
 }
 
 TEST_F(ProgramsTest, Figures) {

@@ -71,6 +71,16 @@ TEST_F(RecordedSequenceTest, ReadsImagesCalibrationAndTruth) {
   EXPECT_EQ(frame.fronts.at(1).opened, 0);
 }
 
+TEST_F(RecordedSequenceTest, ReadsDepthWhereThereIsNoPair) {
+  fs::remove(folder_ / "left_0000.png");
+  cv::imwrite((folder_ / "depth_0000.png").string(), cv::Mat(6, 8, CV_16UC1, cv::Scalar(1234)));
+  const Frame frame = openRecordedSequence(folder_.string())->frame(0);
+  EXPECT_EQ(frame.depth(0, 0), 1234);
+  EXPECT_TRUE(frame.left.empty());
+  cv::imwrite((folder_ / "depth_0000.png").string(), cv::Mat(6, 8, CV_8UC1, cv::Scalar(12)));
+  EXPECT_NE(errorOfFirstFrame().find("depth_0000.png"), std::string::npos) << "not of 16 bits";
+}
+
 TEST_F(RecordedSequenceTest, ARotationThatWasRoundedIsARotationAllTheSame) {
   const std::string rounded = R"({"frames": [{"stamp": 0, "panels": [], "T_world_left":
     [[0.8776, -0.4794, 0, 0], [0.4794, 0.8776, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})";
