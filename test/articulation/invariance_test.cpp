@@ -21,20 +21,6 @@ namespace {
 constexpr int kFronts = 12;
 constexpr double kSure = 0.95;
 
-/// Sizes, ranges and noise as a kitchen has them.
-SyntheticFront randomFront(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto between = [&random](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-  SyntheticFront front = seed % 2 ? door() : drawer();
-  front.width = between(0.3, 0.6);
-  front.height = front.type == JointType::kPrismatic ? between(0.12, 0.3) : between(0.4, 0.7);
-  front.q_end = front.type == JointType::kPrismatic ? between(0.15, 0.35) : between(0.6, 1.5);
-  front.noise = between(0.001, 0.004);
-  front.turn_noise = between(0.005, 0.02);
-  front.seed = seed;
-  return front;
-}
-
 /// Stands for `seconds` at the share `where` of its way.
 Track withRest(const SyntheticFront& front, double where, double seconds) {
   SyntheticFront before = front, pause = front, after = front;

@@ -69,6 +69,20 @@ inline Eigen::Isometry3d truePose(const SyntheticFront& front, double q) {
   return Eigen::Translation3d(point) * Eigen::AngleAxisd(q, trueAxis(front)) * Eigen::Translation3d(-point) * closedPose();
 }
 
+/// Sizes, ranges and noise as a kitchen has them.
+inline SyntheticFront randomFront(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto between = [&random](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  SyntheticFront front = seed % 2 ? door() : drawer();
+  front.width = between(0.3, 0.6);
+  front.height = front.type == JointType::kPrismatic ? between(0.12, 0.3) : between(0.4, 0.7);
+  front.q_end = front.type == JointType::kPrismatic ? between(0.15, 0.35) : between(0.6, 1.5);
+  front.noise = between(0.001, 0.004);
+  front.turn_noise = between(0.005, 0.02);
+  front.seed = seed;
+  return front;
+}
+
 /// `poseAt`: where the front is at q.
 template <class PoseAt>
 Track syntheticTrack(const SyntheticFront& front, const PoseAt& poseAt) {
@@ -109,6 +123,24 @@ Track syntheticTrack(const SyntheticFront& front, const PoseAt& poseAt) {
 
 inline Track syntheticTrack(const SyntheticFront& front) {
   return syntheticTrack(front, [&](double q) { return truePose(front, q); });
+}
+
+/// [s] For which a front stands still.
+struct Rests {
+  double before = 0, half_way = 0, after = 0;
+};
+
+inline Track syntheticTrack(const SyntheticFront& front, const Rests& rests) {
+  const double half = (front.poses - 1) * front.period / 2, all = rests.before + rests.half_way + rests.after + 2 * half;
+  SyntheticFront watched = front;
+  watched.q_start = 0;
+  watched.q_end = all;
+  watched.poses = 1 + static_cast<int>(std::lround(all / front.period));
+  return syntheticTrack(watched, [&](double time) {
+    const double first = std::clamp(time - rests.before, 0.0, half);
+    const double second = std::clamp(time - rests.before - half - rests.half_way, 0.0, half);
+    return truePose(front, front.q_start + (front.q_end - front.q_start) * (first + second) / (2 * half));
+  });
 }
 
 /// The same track from a detector that says how certain it is: standard deviations of positions and orientations.
