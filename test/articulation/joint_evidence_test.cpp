@@ -236,6 +236,29 @@ TEST(JointEvidence, ThatIsDoubtedIsRememberedSoAndThenGivenUp) {
   EXPECT_EQ(later.model().observations, contrary) << "learned anew from what contradicts";
 }
 
+/// A door that is opened and then lifted off its hinges: no joint does both.
+TEST(JointEvidence, OfHalfOfAMotionIsNotSure) {
+  const SyntheticFront opened = door();
+  Watched watched(opened);
+  watched.move(0, opened.q_end, 25);
+  ASSERT_TRUE(isA(JointType::kRotational, watched.model()));
+  const Eigen::Isometry3d there = truePose(opened, opened.q_end);
+  LearnedModel model;
+  for (int i = 1; i <= 30; ++i) model = watched.see(Eigen::Translation3d(0.012 * i * there.linear().col(1)) * there);
+  EXPECT_FALSE(model.explained);
+  for (const JointType type : {JointType::kPrismatic, JointType::kRotational})
+    EXPECT_LT(probability(model, type), 0.5) << static_cast<int>(type);
+  EXPECT_GT(probability(model, JointType::kNonparametric), 0.5);
+  double sum = 0;
+  for (const double p : model.probabilities) sum += p;
+  EXPECT_NEAR(sum, 1, 1e-9);
+  // What is seen of the other half alone outweighs that in the end.
+  for (int use = 0; use < 4; ++use)
+    for (int i = 30; i >= 1; --i) model = watched.see(Eigen::Translation3d(0.012 * i * there.linear().col(1)) * there);
+  EXPECT_TRUE(isA(JointType::kPrismatic, model));
+  EXPECT_GT(probability(model, JointType::kPrismatic), 0.95);
+}
+
 TEST(JointEvidence, NeedsNoModelThatStandsStill) {
   ArticulationConfig config;
   config.joint_types = "prismatic rotational nonparametric";

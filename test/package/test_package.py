@@ -38,7 +38,7 @@ MOST_NUMBERS = {
     'planes': (35, 32, 24),
     'rectangles': (115, 85, 27),
     'tracking': (34, 19, 16),
-    'articulation': (116, 316, 40),
+    'articulation': (113, 316, 40),
     'bend': (18, 4, 0),
     'kinds': (14, 56, 6),
     'structure': (9, 2, 0),

@@ -27,7 +27,7 @@ struct LearnedModel {
   double stamp = 0;  ///< [s] of the newest observation
   std::string name;  ///< given by people
   JointType type = JointType::kRigid;
-  std::vector<double> probabilities;  ///< index = JointType
+  std::vector<double> probabilities;  ///< index = JointType; that of kNonparametric counts motions that no model describes
   bool moved = false;                 ///< false: not enough motion to tell yet
   bool explained = true;              ///< false: moved, but no model describes it ("none of these")
   bool observed = true;               ///< false: expected to be a joint of a known kind, but never seen to move

@@ -155,7 +155,9 @@ Selection selectModel(std::vector<Candidate>* candidates, const PoseSequence& tr
   const double moved = probabilityOfMotion(*candidates, roles, best, track, detector, log_odds, config);
   Selection selection;
   if (best) selection.log_odds = roles.still ? advantage(*best, *roles.still, track) : std::numeric_limits<double>::infinity();
-  selection.probabilities = probabilitiesOf(*candidates, roles, moved, beyond);
+  // Where no curve explains the motion better either, it is none of these all the same.
+  const double other = open ? std::max(beyond, probabilityOfAnother(*roles.moving, config)) : beyond;
+  selection.probabilities = probabilitiesOf(*candidates, roles, moved, other);
   selection.moved = best && moved > 0.5;
   selection.explained = !selection.moved || explains(*best, config);
   if (!selection.moved && roles.still) best = roles.still;

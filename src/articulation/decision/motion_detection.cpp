@@ -19,7 +19,6 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr std::size_t kTriples = 200;
 constexpr double kArmWidth = 0.09;        ///< [m] what is narrower may be an arm
 constexpr double kClutterSize = 0.2;      ///< [m] a few of what is smaller may be a face of something that lies about
 constexpr double kLongestPause = 0.3;     ///< [s] between a few of them; arms and hands are seen now and then
@@ -38,7 +37,7 @@ constexpr double kRestless = 0.25;
 /// frame to the next. Of frames far apart nothing can be said.
 double jitterOf(const PoseSequence& poses, const Eigen::Vector3d& point) {
   std::vector<double> back;
-  const std::size_t stride = std::max<std::size_t>(1, poses.size() / kTriples);
+  const std::size_t stride = std::max<std::size_t>(1, poses.size() / kJitterTriples);
   for (std::size_t i = 1; i + 1 < poses.size(); i += stride) {
     if (poses.stamps[i + 1] - poses.stamps[i - 1] > 2 * kQuick) continue;
     const Eigen::Vector3d here = poses.poses[i] * point;

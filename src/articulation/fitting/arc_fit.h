@@ -16,7 +16,7 @@ enum class PathShape { kLine, kCircle };
 /// [nats] Fits stop when a step gains less: far less than decides anything.
 constexpr double kFineFit = 0.02;
 
-/// [nats] The same where fits are only told apart.
+/// [nats] The same where fits are only told apart, and where the curvature is held at its limit: the model is wrong there.
 constexpr double kRoughFit = 0.5;
 
 /// [nats] Differences in likelihood above which no other local optimum will turn the answer (measured: 24 was turned).

@@ -12,10 +12,6 @@
 
 namespace cabinet_articulation::core {
 
-/// [nats] Fits stop when a step gains less where the curvature is held at its limit. There the model is wrong, and its last
-/// digits do not matter.
-constexpr double kHeldTolerance = 0.5;
-
 constexpr double kTrustRegion = 1e4;  ///< the default of Ceres
 constexpr int kDampings = 7;          ///< tried before a step is given up
 
@@ -76,7 +72,7 @@ class ArcFitIteration {
       arc = limited(best.arc);
       curvature = Curvature::kFixed;
       best = {arc, unknown, false};
-      if (!effort.continues) effort.tolerance = kHeldTolerance;
+      if (!effort.continues) effort.tolerance = kRoughFit;
       effort.steps = std::max(effort.steps, round + 2);  // a step at the limit, and its cost
     }
     if (shape == PathShape::kCircle) best.arc = limited(best.arc);

@@ -127,6 +127,7 @@ bool FrontLearner::update(const Track& track) {
   learned_.doubt = evidence_.doubt();
   // What was given up must be established again before it is told.
   learned_.moved = learned_.moved && learned_.doubt < 1;
+  if (learned_.moved && observations_.leavesOut()) weighWhatIsLeftOut();
   return true;
 }
 

@@ -49,6 +49,7 @@ class FrontLearner {
   bool noteDoubt();
   void consider(const ArticulationModel& joint);
   bool findOtherJoint(const Track& track);
+  void weighWhatIsLeftOut();
   bool weighEvidence();
   PoseSequence posesSince(double stamp) const;
   LearnedModel describe(const Candidate& candidate) const;

@@ -45,4 +45,23 @@ LearnedModel FrontLearner::describeKnownJoint() const {
   return learned;
 }
 
+/// What a joint that was given up came from is left out of fits. It tells all the same whether one joint is all that moves the
+/// front: the one that is known now may be far from it.
+void FrontLearner::weighWhatIsLeftOut() {
+  if (learned_.type == JointType::kNonparametric) return;
+  PoseSequence all = observations_.withLeftOut(reference_, static_cast<std::size_t>(config_.poses_max));
+  all.outline = poses_.outline;
+  KnownJoint known(learned_, reference_.offset(front_.width, front_.height), config_);
+  const double other = probabilityOfAnother(evaluateCandidate(&known, all, config_), config_);
+  double of_joints = 0;
+  for (const auto& model : models_) {
+    if (!model->moves() || !model->isParametric()) continue;
+    double& probability = learned_.probabilities[static_cast<std::size_t>(model->type())];
+    of_joints += probability;
+    probability *= 1 - other;
+  }
+  learned_.probabilities[static_cast<std::size_t>(JointType::kNonparametric)] += other * of_joints;
+  learned_.explained = learned_.explained && other < 1 - other;
+}
+
 }  // namespace cabinet_articulation::core

@@ -38,9 +38,6 @@ std::pair<double, double> observedRange(const ModelResiduals& residuals, double 
   return min <= max ? std::make_pair(min, max) : std::make_pair(near.front(), near.front());
 }
 
-/// Half the squared distance in sigmas at which a pose counts as a false detection, which no model has to explain.
-constexpr double kGrossError = 12.5;
-
 /// By which noise within the plane may be larger than it is said to be: an edge that something hides moves with that.
 constexpr double kEdgeCaution = 2;
 
@@ -146,7 +143,7 @@ double ArticulationModel::logLikelihood(const PoseSequence& track, const ModelRe
     const double displaced = std::min(residuals.displaced[i], residuals.position[i].norm() / sigma_plane);
     double cost = displaced * displaced / 2;
     if (track.has_orientation) cost += residuals.orientation[i].squaredNorm() / (2 * sigma_orientation * sigma_orientation);
-    costs.push_back(std::min(cost, kGrossError));
+    costs.push_back(std::min(cost, kGrossSigmas * kGrossSigmas / 2));
   }
   const double sum = -3 * std::log(spread) * static_cast<double>(costs.size()) - sumWithoutExceptions(costs);  // Eq. (10)
   return sum - residuals.freedom;

@@ -24,6 +24,10 @@ struct JointGeometry {
   double pitch = 0;                                      ///< [m/rad] advance along the axis while it turns
 };
 
+/// Standard deviations at which a pose counts as a false detection, which no model has to explain: farther away is no worse
+/// (ours).
+constexpr double kGrossSigmas = 5;
+
 /// How far a track is from a model, pose by pose.
 struct ModelResiduals {
   std::vector<double> q;

@@ -39,6 +39,7 @@ class ObservationHistory {
 
   /// From now on observations before `stamp` are left out.
   void dropBefore(double stamp);
+  bool leavesOut() const { return !left_out_.empty(); }
 
   std::size_t size() const { return entries_.size(); }
 
@@ -53,6 +54,9 @@ class ObservationHistory {
   /// The same in runs of poses that follow one another at once. Runs are spread evenly over the time and the front's way; the
   /// newest pose is among them.
   PoseSequence runs(ReferencePoint point, std::size_t count) const;
+
+  /// At most `count` poses, evenly spaced over all, those that are left out among them.
+  PoseSequence withLeftOut(ReferencePoint point, std::size_t count) const;
 
   /// The poses after `stamp`.
   PoseSequence since(ReferencePoint point, double stamp) const;
@@ -80,11 +84,12 @@ class ObservationHistory {
   void measureJitter(bool continues);
   std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
   PoseSequence picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
+  PoseSequence described(ReferencePoint point, const std::vector<const Entry*>& entries) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries);
   void redescribe(const AmbiguousTurns::Description& description, std::vector<Entry>* entries);
 
   ArticulationConfig config_;
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_, left_out_;
   Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero(), rest_anchor_ = way_anchor_;
   AmbiguousTurns turns_;
   bool weighted_ = false;

@@ -13,12 +13,11 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kLeastPoses = 10;  ///< for each pose of a step: their median step back tells the noise
-constexpr std::size_t kTriples = 200;    ///< enough for a median
 
 /// Over steps of so many poses.
 PoseJitter jitterOver(std::size_t lag, std::size_t count, const std::function<Eigen::Isometry3d(std::size_t)>& pose_at) {
   std::vector<double> back, back_turns;
-  const std::size_t stride = std::max<std::size_t>(1, count / kTriples);
+  const std::size_t stride = std::max<std::size_t>(1, count / kJitterTriples);
   for (std::size_t i = lag; i + lag < count; i += stride) {
     const Eigen::Isometry3d before = pose_at(i - lag), here = pose_at(i), after = pose_at(i + lag);
     const Eigen::Vector3d step = here.translation() - before.translation(), next = after.translation() - here.translation();
