@@ -5,14 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "rectangles/depth_noise.h"
 #include "rectangles/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
 constexpr int kNearEdge = 6;            ///< [px] inside the edge that side faces and the sensor's window may reach (ours)
-constexpr double kLeastSigma = 0.02;    ///< [px] of disparities that were rounded (ours)
-constexpr double kOutlier = 3;          ///< standard deviations beyond which a pixel shows something else
 constexpr double kMostlySurface = 0.5;  ///< share of the strips inside that a surface fills (ours)
 constexpr double kEnded = 0.25;         ///< share of a full strip below which the surface, or depth, has ended (ours)
 constexpr double kSharedPixels = 9;     ///< along an edge that share an error: the window of depth cameras
@@ -44,7 +43,8 @@ void DepthEdge::addPixels(const DepthFrame& frame, const PlaneRegion& region, co
           const auto residual = isValidDisparity(disparity) ? static_cast<float>(disparity - region.disparity_plane.at(u, v))
                                                             : std::numeric_limits<float>::quiet_NaN();
           pixels_.push_back({static_cast<std::int8_t>(strip), static_cast<std::int8_t>(along.dot(place) < 0 ? 0 : 1),
-                             label == kInPlane, label == kOccluded || label == kOtherPlane, residual});
+                             label == kInPlane, label == kOccluded || label == kOtherPlane,
+                             label == kInPlane || label == kOtherPlane, residual});
         }
       });
   off_middle_ /= std::max(1.0, static_cast<double>(pixels_.size()));
@@ -84,23 +84,27 @@ DepthEdge::Strips DepthEdge::strips(Halves halves, double face_begin) const {
 }
 
 /// [px] A ragged edge lies where as much of the surface is missing inside as there is of it outside. Of the pixels near the edge
-/// those without a depth say nothing, for they may be of either surface.
+/// those without a depth say nothing, for they may be of either surface. What the surface lacks well inside, as at a recessed
+/// pull, it lacks near the edge too.
 std::optional<double> DepthEdge::endOf(const Strips& strips) {
   constexpr int kNear = kInside - kNearEdge;  // the first strip that may lie beyond
   double full = 0;
-  int inside = 0;
+  int inside = 0, measured = 0, valid = 0;
   for (int k = 0; k < kNear; ++k) {
     full += static_cast<double>(strips[k].surface) / std::max(1, strips[k].seen);
     inside += strips[k].seen > 0;
+    measured += strips[k].measured;
+    valid += strips[k].valid;
   }
-  if (inside == 0 || full < kMostlySurface * inside) return std::nullopt;
-  if (measuredShare(strips, kNear) < kEnded) return std::nullopt;  // it ends farther inside than is looked at
+  if (measured == 0 || full < kMostlySurface * inside) return std::nullopt;
+  const double most = static_cast<double>(measured) / valid;
+  if (measuredShare(strips, kNear) < kEnded * most) return std::nullopt;  // it ends farther inside than is looked at
   double end = -kNearEdge;
   for (int k = kNear; k < kStrips; ++k) {
     if (strips[k].seen <= strips[k].hidden) return std::nullopt;
     const double share = measuredShare(strips, k);
-    end += share;
-    if (share < kEnded) return end;
+    end += std::min(share / most, 1.0);
+    if (share < kEnded * most) return end;
   }
   return std::nullopt;
 }
@@ -117,6 +121,9 @@ double DepthEdge::measuredShare(const Strips& strips, int k) {
   return next < kEnded ? share : next;
 }
 
+/// [px^2] By which an explanation of the strips by one number more must be better.
+double DepthEdge::evidence() const { return kOutlier * kOutlier * kSharedPixels * sigma_ * sigma_; }
+
 /// [px] Where the strips' mean residuals begin to follow the face's slope, by least squares; `end` if they do not.
 double DepthEdge::faceBegin(const Strips& strips, double end) const {
   const auto costOf = [&](double begin) {
@@ -128,8 +135,7 @@ double DepthEdge::faceBegin(const Strips& strips, double end) const {
     }
     return cost;
   };
-  const double evidence = kOutlier * kOutlier * kSharedPixels * sigma_ * sigma_;
-  double best = end, least = costOf(end) - evidence;
+  double best = end, least = costOf(end) - evidence();
   for (double begin = end - kStep; begin >= end - kLongestFace; begin -= kStep) {
     const double cost = costOf(begin);
     if (cost >= least) continue;
@@ -137,6 +143,41 @@ double DepthEdge::faceBegin(const Strips& strips, double end) const {
     best = begin;
   }
   return best;
+}
+
+std::optional<double> DepthEdge::crease(double slope) const {
+  if (sigma_ == 0) return std::nullopt;
+  Strips strips{};
+  for (const Pixel& pixel : pixels_) {
+    if (!pixel.near || std::isnan(pixel.residual)) continue;
+    ++strips[pixel.strip].measured;
+    strips[pixel.strip].residuals += pixel.residual;
+  }
+  double best = kOutside, least = creaseCost(strips, slope, best) - evidence();
+  for (double begin = kOutside - kStep; begin > -kInside; begin -= kStep) {
+    const double cost = creaseCost(strips, slope, begin);
+    if (cost >= least) continue;
+    least = cost;
+    best = begin;
+  }
+  if (best == kOutside) return std::nullopt;
+  return best + off_middle_;
+}
+
+/// [px^2] What is left of the strips' mean residuals by the best level, from which they rise from `begin` on.
+double DepthEdge::creaseCost(const Strips& strips, double slope, double begin) {
+  const auto rise = [&](int k) { return slope * std::max(0.0, placeOf(k) - begin); };
+  double level = 0, n = 0, cost = 0;
+  for (int k = 0; k < kStrips; ++k) {
+    level += strips[k].residuals - strips[k].measured * rise(k);
+    n += strips[k].measured;
+  }
+  level /= std::max(1.0, n);
+  for (int k = 0; k < kStrips; ++k) {
+    const double mean = strips[k].residuals / std::max(1, strips[k].measured);
+    cost += strips[k].measured * std::pow(mean - rise(k) - level, 2);
+  }
+  return cost;
 }
 
 std::optional<DepthEdge::Place> DepthEdge::place(Halves halves) const {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/board.h"
 #include "rectangles/crease.h"
 #include "rectangles/depth_edge.h"
 #include "rectangles/edge_step.h"
@@ -21,7 +22,6 @@ constexpr double kHalfSigma = 0.3;        ///< [px] of the place of half an edge
 constexpr double kMaskTurnSigma = 0.006;  ///< [rad] of the turn that the mask gave
 constexpr double kMostSkew = 3;           ///< [px] between an edge's halves; more, and something lies over one of them
 constexpr double kTolerance = 2;          ///< [px] of a crease's place by the planes alone
-constexpr double kBoard = 0.018;          ///< [m] thickness of a front
 constexpr double kHalfDistance = 0.5;     ///< of an edge's length, between the middles of its halves
 
 /// Where the strips leave the plane. Both halves of an edge must do so for the same reason.
@@ -104,6 +104,20 @@ double hiddenBehind(const StereoCamera& camera, double disparity, double nearer,
   return step < kBoard ? kBoard * std::tan(angle / 2) : std::numeric_limits<double>::infinity();
 }
 
+/// The same by depth, where `image` was moved by `start` [px]. The edge lies behind the neighbour by up to the board's thickness,
+/// half of it in the mean. Planes alone say too little: their errors move the line where they meet by centimetres.
+std::optional<EdgeShift> depthCrease(const DepthFrame& frame, const PlaneRegion& region, const ImageEdge& image,
+                                     const Neighbour& neighbour, double start) {
+  const std::optional<double> place = DepthEdge(frame, region, image, {}).crease(neighbour.slope);
+  if (!place) return std::nullopt;
+  const double tangent = std::tan(neighbour.angle / 2);
+  EdgeShift shift;
+  shift.distance = (start + *place) * image.metres_per_pixel + kBoard / 2 * (1 + tangent);
+  shift.border = Border{shift.distance / image.metres_per_pixel};
+  shift.hidden = kBoard * tangent;
+  return shift;
+}
+
 /// A hinge lies within the thickness of its door. The door turned by an angle, its edge lies up to 1 + tan(angle / 2) of that
 /// beyond the line where both planes meet. It is seen as far as what lies beyond tan(angle / 2) of it. Masks may end elsewhere:
 /// block matching cannot tell the planes apart there.
@@ -121,6 +135,7 @@ std::optional<EdgeShift> measureCrease(const PlaneChart& chart, const PlaneRegio
   image = imageEdge(chart, moved, edge);
   if (!image) return std::nullopt;
   neighbour->at_edge = neighbour->at(start);
+  if (!hasImages(surroundings.frame)) return depthCrease(surroundings.frame, region, *image, *neighbour, start);
   PlaneRegion other;  // what a profile looks at
   other.mask = region.mask;
   other.disparity_plane = neighbour->plane;
@@ -141,13 +156,13 @@ EdgeShift measure(const PlaneChart& chart, const PlaneRegion& region, const Surr
   const std::optional<ImageEdge> image = imageEdge(chart, rectangle, edge);
   if (!image) return {};
   const double length = rectangle.side(1 - edgeAxis(edge));
-  const auto face = [&] { return sideFace(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge); };
-  if (!hasImages(surroundings.frame))
-    return shiftTo(findDepthBorders(DepthEdge(surroundings.frame, region, *image, face())), *image, length);
   const std::optional<EdgeShift> crease = measureCrease(chart, region, surroundings, rectangle, edge);
   if (crease && crease->border) return *crease;
+  const SideFace face = sideFace(chart, surroundings.frame.camera, region.disparity_plane, rectangle, edge);
+  if (!hasImages(surroundings.frame))
+    return shiftTo(findDepthBorders(DepthEdge(surroundings.frame, region, *image, face)), *image, length);
   const EdgeProfile profile(surroundings.frame, region, *image);
-  const EdgeShift shift = shiftTo(findBorders(profile, face(), config), *image, length);
+  const EdgeShift shift = shiftTo(findBorders(profile, face, config), *image, length);
   return shift.border || !crease ? shift : *crease;
 }
 

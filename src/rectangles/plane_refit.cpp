@@ -79,18 +79,22 @@ void PlaneRefit::refit(const DepthFrame& frame, double most, std::vector<Rectang
   if (small_.empty()) return;
   if (tolerance_.size() != frame.left.size()) tolerance_ = cv::Mat1f(frame.left.size(), kTolerance);
   refinement_.refine(frame, tolerance_, &set_);
-  for (size_t i = 0; i < small_.size(); ++i) {
-    RectangleCandidate& candidate = *small_[i].candidate;
-    const auto plane = toPlane(set_.regions[i].plane, frame.camera);
-    if (!plane) continue;
-    const auto chart = PlaneChart::at(*plane, frame.camera, candidate.chart.toPixel(candidate.rectangle.center));
-    const auto rectangle = chart ? carriedOver(small_[i].quad, *chart) : std::nullopt;
-    if (!rectangle) continue;
-    candidate.region.plane = *plane;
-    candidate.region.disparity_plane = set_.regions[i].plane;
-    candidate.chart = *chart;
-    candidate.rectangle = *rectangle;
-  }
+  for (size_t i = 0; i < small_.size(); ++i)
+    moveToPlane(set_.regions[i].plane, small_[i].quad, frame.camera, small_[i].candidate);
+}
+
+bool moveToPlane(const DisparityPlane& disparity_plane, const ImageQuad& quad, const StereoCamera& camera,
+                 RectangleCandidate* candidate) {
+  const auto plane = toPlane(disparity_plane, camera);
+  if (!plane) return false;
+  const auto chart = PlaneChart::at(*plane, camera, candidate->chart.toPixel(candidate->rectangle.center));
+  const auto rectangle = chart ? carriedOver(quad, *chart) : std::nullopt;
+  if (!rectangle) return false;
+  candidate->region.plane = *plane;
+  candidate->region.disparity_plane = disparity_plane;
+  candidate->chart = *chart;
+  candidate->rectangle = *rectangle;
+  return true;
 }
 
 }  // namespace cabinet_articulation::core

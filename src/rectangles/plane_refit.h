@@ -34,4 +34,7 @@ class PlaneRefit {
   cv::Mat1f tolerance_;
 };
 
+/// Gives a candidate another plane; its corners stay at `quad` in the image. False, and nothing changes, if they do not see it.
+bool moveToPlane(const DisparityPlane& plane, const ImageQuad& quad, const StereoCamera& camera, RectangleCandidate* candidate);
+
 }  // namespace cabinet_articulation::core

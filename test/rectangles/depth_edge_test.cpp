@@ -17,7 +17,7 @@ constexpr double kNoise = 0.15;       // [px] of disparities
 /// A board before a wall, as a depth camera sees it.
 class DepthEdgeTest : public testing::Test {
  protected:
-  explicit DepthEdgeTest(double yaw = 0.8) : front_(exampleFront({0, 0, 1.8}, 0.4, 0.5, yaw, 0, 0)) {
+  explicit DepthEdgeTest(double yaw = 0.8) : front_(exampleFront({0, 0, kFront}, 0.4, 0.5, yaw, 0, 0)) {
     render();
     region_ = frontRegion(front_, camera_);
     label();
@@ -42,6 +42,22 @@ class DepthEdgeTest : public testing::Test {
     label();
   }
 
+  /// A recess along a share of the edge, about its middle, from there `reach` inwards and `depth` deep [m].
+  void recess(Edge edge, double reach, double share, double depth) {
+    const Eigen::Isometry3d to_front = front_.pose.inverse();
+    const int axis = edgeAxis(edge);
+    const double side = edge == kEdgePlusX || edge == kEdgePlusY ? 1 : -1;
+    const Eigen::Vector2d half(front_.width / 2, front_.height / 2);
+    for (int v = 0; v < camera_.height; ++v)
+      for (int u = 0; u < camera_.width; ++u) {
+        const Eigen::Vector3d p = to_front * *front_.plane().intersect(camera_.ray(u, v));
+        const double inside = half[axis] - side * p[axis];
+        if (inside < 0 || inside > reach || std::abs(p[1 - axis]) > share * half[1 - axis]) continue;
+        frame_.disparity(v, u) += static_cast<float>(camera_.disparity(kFront + depth) - camera_.disparity(kFront));
+      }
+    label();
+  }
+
   /// [m] from the true edge to where depth says it is, from a rectangle that is `wrong` [m] too large.
   std::optional<double> error(Edge edge, double wrong) const {
     const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
@@ -52,6 +68,29 @@ class DepthEdgeTest : public testing::Test {
     const auto place = DepthEdge(frame_, region_, image, face).whole();
     if (!place) return std::nullopt;
     return wrong + place->offset * image.metres_per_pixel;
+  }
+
+  /// What lies beyond the edge is a surface that comes nearer by `slope` [px/px].
+  void neighbour(Edge edge, double slope) {
+    render();
+    std::mt19937 random(4);
+    std::normal_distribution<double> noise(0, kNoise);
+    for (int v = 0; v < camera_.height; ++v)
+      for (int u = 0; u < camera_.width; ++u)
+        if (const double off = beyond(edge, u, v); off > 0)
+          frame_.disparity(v, u) = static_cast<float>(region_.disparity_plane.at(u, v) + slope * off + noise(random));
+    label();
+  }
+
+  /// [m] from the true edge to the crease found from a rectangle that is `wrong` [m] too large.
+  std::optional<double> creaseError(Edge edge, double wrong) const {
+    const PlaneChart chart = *PlaneChart::at(front_.plane(), camera_, camera_.project(front_.center()));
+    PlaneRectangle rectangle = chart.fromSpace(front_);
+    rectangle.moveEdge(edge, wrong);
+    const ImageEdge image = *imageEdge(chart, rectangle, edge);
+    const auto place = DepthEdge(frame_, region_, image, {}).crease(kSlope);
+    if (!place) return std::nullopt;
+    return wrong + *place * image.metres_per_pixel;
   }
 
   /// What lies within the rectangle's frame between `back` and 0 [m] along the normal.
@@ -93,7 +132,8 @@ class DepthEdgeTest : public testing::Test {
       }
   }
 
-  static constexpr double kWall = 3;  // [m]
+  static constexpr double kFront = 1.8, kWall = 3;  // [m]
+  static constexpr double kSlope = 0.03;            // [px/px]
   const StereoCamera camera_ = exampleCamera();
   const Rectangle front_;
   DepthFrame frame_;
@@ -130,6 +170,15 @@ TEST_F(DepthEdgeHeadOnTest, AShadowBeyondAnEdgeIsNotTheFronts) {
   const auto off = error(kEdgePlusX, 0);
   ASSERT_TRUE(off);
   EXPECT_LT(std::abs(*off), 0.0015);
+}
+
+TEST_F(DepthEdgeHeadOnTest, ARecessedPullDoesNotMoveItsEdge) {
+  for (const Edge edge : kEdges) recess(edge, 0.05, 0.2, 0.08);
+  for (const Edge edge : kEdges) {
+    const auto off = error(edge, 0);
+    ASSERT_TRUE(off) << edge;
+    EXPECT_LT(std::abs(*off), 0.0015) << "half a pixel, edge " << edge;
+  }
 }
 
 TEST_F(DepthEdgeHeadOnTest, SingleRowsAndColumnsWithoutADepthAreNoEnd) {
@@ -177,6 +226,37 @@ TEST_F(DepthEdgeHeadOnTest, SaysNothingOfASurfaceThatGoesOn) {
 
 TEST_F(DepthEdgeHeadOnTest, SaysNothingOfAnEdgeFarInside) {
   for (const Edge edge : kEdges) EXPECT_FALSE(error(edge, 0.03)) << "11 px";
+}
+
+TEST_F(DepthEdgeHeadOnTest, FindsWhereANeighbourComesNearer) {
+  for (const Edge edge : kEdges)
+    for (const double wrong : {-0.02, 0.0, 0.03}) {
+      neighbour(edge, kSlope);
+      const auto off = creaseError(edge, wrong);
+      ASSERT_TRUE(off) << "edge " << edge << ", wrong by " << wrong;
+      EXPECT_LT(std::abs(*off), 0.006) << "2 px, edge " << edge << ", wrong by " << wrong;
+    }
+}
+
+TEST_F(DepthEdgeHeadOnTest, FindsANeighbourAllTheSameWhereTheSensorBends) {
+  neighbour(kEdgePlusX, kSlope);
+  const double middle = camera_.width / 2.0;
+  for (int v = 0; v < camera_.height; ++v)
+    for (int u = 0; u < camera_.width; ++u)
+      frame_.disparity(v, u) += static_cast<float>(0.2 * std::pow((u - middle) / middle, 2));
+  label();
+  const auto off = creaseError(kEdgePlusX, 0);
+  ASSERT_TRUE(off);
+  EXPECT_LT(std::abs(*off), 0.006) << "2 px; the planes' own line is 0.2 px / 0.03 away, that is 7 px";
+}
+
+TEST_F(DepthEdgeHeadOnTest, FindsNoCreaseInOneSurface) {
+  frame_.disparity.setTo(static_cast<float>(camera_.disparity(kFront)));
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, kNoise);
+  for (float& disparity : frame_.disparity) disparity += static_cast<float>(noise(random));
+  label();
+  for (const Edge edge : kEdges) EXPECT_FALSE(creaseError(edge, 0)) << edge;
 }
 
 TEST_F(DepthEdgeHeadOnTest, HalvesTellATurn) {
