@@ -9,6 +9,7 @@
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/tracking/track.h"
+#include "geometry/board.h"
 #include "tracking/motion/motion_gate.h"
 #include "tracking/size/placement.h"
 
@@ -43,9 +44,10 @@ class NoisyDetector {
  public:
   explicit NoisyDetector(unsigned seed) : random_(seed) {}
 
-  /// In any of the eight descriptions.
+  /// In any of the eight descriptions. The back is a board's thickness behind the front.
   DetectedRectangle operator()(const Rectangle& truth) {
-    return describe(plain(truth), static_cast<int>(random_() % kDescriptions));
+    const auto k = static_cast<int>(random_() % kDescriptions);
+    return describe(plain(k < kDescriptions / 2 ? truth : pulled(truth, -kBoard)), k);
   }
 
   /// In one of the four whose normal is that of `truth`, as a front is first seen.

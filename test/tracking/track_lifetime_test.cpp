@@ -16,8 +16,8 @@ TEST(TrackLifetime, TwoRectanglesOfOneFrontDoNotForkItsTrack) {
   NoisyDetector detect(23);
   for (int i = 1; i <= 30; ++i) {
     const Rectangle door = swung(closedFront(), 0.03 * i);
-    std::vector<DetectedRectangle> seen{detect(door), detect(door)};
-    if (i % 3 == 0) seen.push_back(withHiddenEdge(detect(door), kEdgePlusY, 0.25));
+    std::vector<DetectedRectangle> seen{detect.fromFront(door), detect.fromFront(door)};
+    if (i % 3 == 0) seen.push_back(withHiddenEdge(detect.fromFront(door), kEdgePlusY, 0.25));
     std::rotate(seen.begin(), seen.begin() + i % seen.size(), seen.end());
     tracker.process(i * kFrame, seen);
     ASSERT_EQ(tracker.tracks().size(), 1u) << i;
@@ -162,7 +162,7 @@ TEST(TrackLifetime, FlickeringClutterDoesNotDisturbAFront) {
       clutter.pose.rotate(Eigen::AngleAxisd(detect.noise(0.5), Eigen::Vector3d::UnitX()));
       seen.push_back(detect(clutter));
     }
-    seen.push_back(detect(drawer(i * kFrame)));
+    seen.push_back(detect.fromFront(drawer(i * kFrame)));
     tracker.process(i * kFrame, seen);
   }
   const auto longest = std::max_element(tracker.tracks().begin(), tracker.tracks().end(), [](const Track& a, const Track& b) {

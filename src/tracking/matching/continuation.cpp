@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/tracking/expected_fronts.h"
+#include "geometry/board.h"
 #include "tracking/motion/history.h"
 #include "tracking/motion/motion_gate.h"
 #include "tracking/size/placement.h"
@@ -15,6 +16,15 @@ KnownPlace placeOf(const TrackedObservation& observation) {
   return {observation.rectangle, observation.covariance.topLeftCorner<3, 3>()};
 }
 
+/// The side that is not seen. A track is of that side of a front which it saw first.
+DetectedRectangle otherSide(DetectedRectangle detection) {
+  const Eigen::Vector3d normal = detection.rectangle.normal();
+  detection.rectangle.pose.translation() -= kBoard * normal;
+  const Eigen::Vector3d sigma = kBoard / 2 * normal;
+  detection.covariance.topLeftCorner(sigma.size(), sigma.size()) += sigma * sigma.transpose();
+  return detection;
+}
+
 /// In that description of the detection that needs the least motion. Nearest axes alone do not tell: a door swung by more
 /// than 90 degrees has the axes of its own back.
 std::optional<Continuation> continueFrom(const KnownPlace& reference, double seconds, const DetectedRectangle& detection,
@@ -23,7 +33,7 @@ std::optional<Continuation> continueFrom(const KnownPlace& reference, double sec
   if ((reference.rectangle.center() - detection.rectangle.center()).norm() > reach(reference.rectangle, seconds, config))
     return best;
   for (int k = 0; k < kDescriptions; ++k) {
-    const DetectedRectangle described = describe(detection, k);
+    const DetectedRectangle described = describe(k < kDescriptions / 2 ? detection : otherSide(detection), k);
     if (!size.fits(described)) continue;
     const Rectangle placed = placeRectangle(described, size.known(), &reference, config);
     const std::optional<double> distance = motionDistance(reference.rectangle, placed, seconds, config);
