@@ -22,6 +22,18 @@ std::optional<DisparityPlane> PlaneFit::solve() const {
   return plane;
 }
 
+PlaneFit PlaneFit::centred() const {
+  PlaneFit moved;
+  moved.n_ = n_;
+  moved.uu_ = uu_ - u_ * u_ / n_;
+  moved.uv_ = uv_ - u_ * v_ / n_;
+  moved.vv_ = vv_ - v_ * v_ / n_;
+  moved.ud_ = ud_ - u_ * d_ / n_;
+  moved.vd_ = vd_ - v_ * d_ / n_;
+  moved.dd_ = dd_ - d_ * d_ / n_;
+  return moved;
+}
+
 double PlaneFit::squares(const DisparityPlane& plane) const {
   const double a = plane.a, b = plane.b, c = plane.at(kOriginU, kOriginV);
   const double of_plane = a * a * uu_ + b * b * vv_ + c * c * n_ + 2 * (a * b * uv_ + a * c * u_ + b * c * v_);

@@ -40,9 +40,13 @@ class PlaneFit {
     dd_ += other.dd_;
   }
 
+  /// The same points, moved to where all have their middle: fits of parallel planes add up to one.
+  PlaneFit centred() const;
+
   int count() const { return static_cast<int>(n_); }
   double meanU() const { return u_ / n_ + kOriginU; }
   double meanV() const { return v_ / n_ + kOriginV; }
+  double meanDisparity() const { return d_ / n_; }
 
   /// Nothing for fewer than three points or points on one line.
   std::optional<DisparityPlane> solve() const;

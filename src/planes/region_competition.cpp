@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr float kNoLimit = 1e6F;  ///< [px]
+constexpr float kNoLimit = std::numeric_limits<float>::max();  ///< [px]
 
 __attribute__((target_clones("avx2", "default"))) void competeRow(const float* disparity, int begin, int end, float slope,
                                                                   float start, float margin, float* limit) {

@@ -12,7 +12,8 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr float kNoDisparity = -1e6F;  ///< far from every plane, so that the row loop needs no second test
+constexpr float kNoDisparity =
+    std::numeric_limits<float>::lowest();  ///< far from every plane, so that the row loop needs no second test
 
 __attribute__((target_clones("avx2", "default"))) void markRow(const float* disparity, int n, float slope, float start,
                                                                DisparityTolerance tolerance, std::uint8_t* out) {
@@ -84,10 +85,10 @@ RegionSet& RegionGrowing::unfold(const StereoCamera& camera, double may_bend, Fo
     const auto fold = search->process(disparity_, bent, set_, may_bend);
     if (!fold) continue;
     markInPlane(fold->first, camera);
-    clear(bent, [&](int row, int col) { return fold->ahead(col * kCell, row * kCell) < 0; });
+    clear(bent, [&](int row, int col) { return !search->mayBeFirst(*fold, row, col, disparity_(row, col)); });
     addPart(bent, fold->first);
     markInPlane(fold->second, camera);
-    clear(bent, [&](int row, int col) { return search->nearFirst(row, col) && fold->ahead(col * kCell, row * kCell) > 0; });
+    clear(bent, [&](int row, int col) { return !search->mayBeSecond(*fold, row, col, disparity_(row, col)); });
     addPart(bent, fold->second);
     set_.regions[i].cells = 0;
   }

@@ -35,7 +35,7 @@ LAYERS = {
 }
 # Numbers that somebody chose (count_numbers.py): constants, other literals, defaults of settings. Lower them with the code.
 MOST_NUMBERS = {
-    'planes': (35, 32, 24),
+    'planes': (34, 32, 24),
     'rectangles': (115, 85, 27),
     'tracking': (34, 19, 16),
     'articulation': (113, 316, 40),

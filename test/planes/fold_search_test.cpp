@@ -47,6 +47,10 @@ std::optional<Fold> search(const Surface& surface) {
   return search(surface, &fresh);
 }
 
+bool mayBeSecond(const FoldSearch& search, const Fold& fold, int u, int v) {
+  return search.mayBeSecond(fold, v / kCell, u / kCell, fold.second.at(u, v));
+}
+
 TEST(FoldSearch, FindsADoorThatHasJustOpened) {
   for (const double slope : {0.005, 0.009, -0.009}) {  // 2 and 4 cm at 1.3 m
     FoldSearch folds;
@@ -57,9 +61,10 @@ TEST(FoldSearch, FindsADoorThatHasJustOpened) {
     EXPECT_NEAR(fold->second.at(100, 250), kFixed.at(100, 250), 0.12);
     EXPECT_GT(fold->ahead(390, 250), 0) << "the door, not what reaches around it, is the first";
     EXPECT_LT(fold->ahead(110, 250), 0);
-    EXPECT_TRUE(folds.nearFirst(250 / kCell, 350 / kCell));
-    EXPECT_FALSE(folds.nearFirst(100 / kCell, 350 / kCell)) << "above the door";
-    EXPECT_FALSE(folds.nearFirst(250 / kCell, 120 / kCell)) << "beyond the hinge";
+    EXPECT_FALSE(mayBeSecond(folds, *fold, 350, 250));
+    EXPECT_TRUE(mayBeSecond(folds, *fold, 350, 100)) << "above the door";
+    EXPECT_TRUE(mayBeSecond(folds, *fold, 120, 250)) << "beyond the hinge";
+    EXPECT_FALSE(fold->is_step);
   }
 }
 
@@ -83,8 +88,43 @@ TEST(FoldSearch, WhatADepthCameraBendsIsOne) {
   EXPECT_TRUE(search(bent(0.0025), &folds, 0.1)) << "of a camera whose bend is known";
 }
 
-TEST(FoldSearch, AStepIsNoFold) {
-  EXPECT_FALSE(search([](double u, double) { return u > 250 ? 0.5 : 0.0; }));
+TEST(FoldSearch, ParallelFrontsAreTwo) {
+  // 2.5 and 3 cm at 2 m: the test camera has 62 px m.
+  for (const double step : {0.39, 0.46, -0.46})
+    for (const int edge : {180, 253, 330}) {
+      FoldSearch folds;
+      const auto fold = search([&](double u, double) { return u > edge ? step : 0; }, &folds);
+      ASSERT_TRUE(fold) << step << " at " << edge;
+      EXPECT_TRUE(fold->is_step);
+      // Of 0.4 px 4 px wide, the share of a block that may be on the wrong side, and of noise as above.
+      EXPECT_NEAR(fold->first.at(110, 250), kFixed.at(110, 250), 0.15);
+      EXPECT_NEAR(fold->second.at(390, 250), kFixed.at(390, 250) + step, 0.15);
+      const auto isFirst = [&](int u, int v) {
+        const double disparity = kFixed.at(u, v) + (u > edge ? step : 0);
+        EXPECT_NE(folds.mayBeFirst(*fold, v / kCell, u / kCell, disparity),
+                  folds.mayBeSecond(*fold, v / kCell, u / kCell, disparity));
+        return folds.mayBeFirst(*fold, v / kCell, u / kCell, disparity);
+      };
+      for (int v = kArea.y; v < kArea.br().y; v += 20)
+        for (int u = kArea.x; u < kArea.br().x; u += 10) EXPECT_EQ(isFirst(u, v), u <= edge) << u << " " << v;
+    }
+}
+
+TEST(FoldSearch, WavesTerracesAndRoundSurfacesAreNoSteps) {
+  const double half = kArea.width / 2.0;
+  const auto wave = [&](double height, double u) { return height * std::pow((u - kArea.x - half) / half, 3); };
+  EXPECT_FALSE(search([&](double u, double) { return wave(0.15, u); })) << "a bent pair";
+  FoldSearch folds;
+  EXPECT_FALSE(search([&](double u, double) { return wave(0.75, u); }, &folds, kMostBend)) << "a bent camera";
+  EXPECT_FALSE(search([](double u, double) { return u > 250 ? 0.125 : 0.0; })) << "the quantum of a Kinect";
+  // An arm of 9 cm before a wall at 2 m, as far as the region's tolerance holds it.
+  EXPECT_FALSE(search([](double u, double) { return 0.5 * std::sqrt(std::max(0.0, 1 - std::pow((u - 250) / 15, 2))); }));
+}
+
+TEST(FoldSearch, SurfacesThatAreNotParallelAreNoStep) {
+  // A strip that crosses the plane of its neighbour, as a region's plane cuts through what is beside a front.
+  const auto fold = search([](double u, double) { return u > 340 ? 0.5 - 0.0167 * (u - 340) : 0; });
+  EXPECT_FALSE(fold && fold->is_step);
 }
 
 TEST(FoldSearch, SmallRegionsAreNotLookedAt) {

@@ -48,6 +48,19 @@ TEST(PlaneFit, SumsOfPartsAreThoseOfTheWhole) {
   EXPECT_NEAR(whole.squares({0.01, 0, 0.2}), 50 * (0.3 * 0.3 + 0.1 * 0.1), 1e-9);
 }
 
+TEST(PlaneFit, CentredFitsOfParallelPlanesAddUpToOne) {
+  PlaneFit low, high;
+  for (int u = 200; u < 300; u += 10)
+    for (int v = 50; v < 150; v += 10) (u < 230 ? low : high).add(u, v, 0.01 * u - 0.02 * v + (u < 230 ? 7 : 9));
+  PlaneFit both = low.centred();
+  both.add(high.centred());
+  ASSERT_TRUE(both.solve());
+  EXPECT_EQ(both.count(), 100);
+  EXPECT_NEAR(both.solve()->a, 0.01, 1e-9);
+  EXPECT_NEAR(both.solve()->b, -0.02, 1e-9);
+  EXPECT_NEAR(both.squares(*both.solve()), 0, 1e-9);
+}
+
 TEST(PlaneFit, PointsOnALineGiveNothing) {
   PlaneFit fit;
   EXPECT_FALSE(fit.solve());

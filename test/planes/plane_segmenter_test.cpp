@@ -181,5 +181,39 @@ TEST(PlaneSegmenter, WithoutDepthThereAreNoRegions) {
   }
 }
 
+/// Two plates of 400 x 300 px as a depth camera sees them: 2 m away, the right one nearer by `step`, with noise of 0.13 px that
+/// is much the same over 9 px.
+DepthFrame parallelPlates(double step) {
+  DepthFrame frame;
+  frame.camera = testCamera();
+  const double focal_baseline = frame.camera.focalBaseline();
+  cv::Mat1f noise(480, 640);
+  cv::RNG(3).fill(noise, cv::RNG::NORMAL, 0, 1);
+  cv::boxFilter(noise, noise, -1, {9, 9});
+  frame.disparity = cv::Mat1f(480, 640, 0.0F);
+  for (int v = 90; v < 390; ++v)
+    for (int u = 120; u < 520; ++u)
+      frame.disparity(v, u) = static_cast<float>(focal_baseline / (u > 300 ? 2 - step : 2) + 0.13 * 9 * noise(v, u));
+  return frame;
+}
+
+TEST(PlaneSegmenter, TellsParallelFrontsApartByTheirStep) {
+  for (const double step : {0.025, 0.03}) {
+    const DepthFrame frame = parallelPlates(step);
+    const auto regions = PlaneSegmenter(PlanesConfig()).process(frame);
+    ASSERT_EQ(regions.size(), 2U) << step;
+    const bool left_first = regions[0].hull[0].x < 300;
+    const PlaneRegion &left = regions[left_first ? 0 : 1], &right = regions[left_first ? 1 : 0];
+    // The blocks that hold the edge are 16 px wide; erosion and growing take or add 4 px.
+    for (const cv::Point2f& corner : left.hull) EXPECT_LT(corner.x, 300 + 20);
+    for (const cv::Point2f& corner : right.hull) EXPECT_GT(corner.x, 300 - 20);
+    EXPECT_NEAR(left.disparity_plane.at(210, 240), frame.camera.focalBaseline() / 2, 0.05);
+    EXPECT_NEAR(right.disparity_plane.at(410, 240), frame.camera.focalBaseline() / (2 - step), 0.05);
+    EXPECT_EQ(left.mask(240, 210), kInPlane);
+    EXPECT_EQ(right.mask(240, 410), kInPlane);
+  }
+  EXPECT_EQ(PlaneSegmenter(PlanesConfig()).process(parallelPlates(0)).size(), 1U);
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core
