@@ -47,6 +47,7 @@ MOST_NUMBERS = {
 # Sub-folders of the folders of src/, in the order of the data: each may use those before it.
 STEPS = {
     'articulation': ['paths', 'observations', 'fitting', 'models', 'decision', 'learner'],
+    'rectangles': ['chart', 'search', 'refit', 'edges', 'acceptance', 'detector'],
     'tracking': ['size', 'motion', 'matching', 'tracker'],
     'nodelets': ['running', 'input', 'models', 'stages'],
     'ros': ['checks', 'settings', 'images', 'input', 'transforms', 'messages', 'answers', 'drawing'],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/crease.h"
+#include "rectangles/edges/crease.h"
 
 #include <gtest/gtest.h>
 

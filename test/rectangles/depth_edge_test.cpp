@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/depth_edge.h"
+#include "rectangles/edges/depth_edge.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "front_scene.h"
-#include "rectangles/side_face.h"
+#include "rectangles/edges/side_face.h"
 
 namespace cabinet_articulation::core {
 namespace {

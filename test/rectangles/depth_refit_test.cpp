@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/depth_refit.h"
+#include "rectangles/refit/depth_refit.h"
 
 #include <gtest/gtest.h>
 

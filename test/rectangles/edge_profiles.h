@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "rectangles/edge_profile.h"
+#include "rectangles/edges/edge_profile.h"
 
 namespace cabinet_articulation::core {
 

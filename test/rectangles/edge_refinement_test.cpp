@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/edge_refinement.h"
+#include "rectangles/edges/edge_refinement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/edge_step.h"
+#include "rectangles/edges/edge_step.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/plane_chart.h"
+#include "rectangles/chart/plane_chart.h"
 
 #include <gtest/gtest.h>
 
 #include "front_scene.h"
-#include "rectangles/image_edge.h"
+#include "rectangles/chart/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

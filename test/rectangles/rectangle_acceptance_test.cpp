@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/rectangle_acceptance.h"
+#include "rectangles/acceptance/rectangle_acceptance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/rectangle_covariance.h"
+#include "rectangles/acceptance/rectangle_covariance.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "front_scene.h"
-#include "rectangles/image_edge.h"
+#include "rectangles/chart/image_edge.h"
 
 namespace cabinet_articulation::core {
 namespace {

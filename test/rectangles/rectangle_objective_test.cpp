@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/rectangle_objective.h"
+#include "rectangles/search/rectangle_objective.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "cabinet_articulation/planes/plane_region.h"
-#include "rectangles/image_spans.h"
+#include "rectangles/chart/image_spans.h"
 
 namespace cabinet_articulation::core {
 namespace {

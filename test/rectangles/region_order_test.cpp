@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/region_order.h"
+#include "rectangles/search/region_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/round_surface.h"
+#include "rectangles/edges/round_surface.h"
 
 #include <gtest/gtest.h>
 

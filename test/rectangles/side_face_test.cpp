@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rectangles/side_face.h"
+#include "rectangles/edges/side_face.h"
 
 #include <gtest/gtest.h>
 
