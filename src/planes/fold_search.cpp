@@ -15,8 +15,8 @@ constexpr int kImprovements = 8;
 constexpr double kLeastPart = 2500;       ///< [px] a smaller part has its plane from noise
 constexpr double kIndependent = 15 * 15;  ///< [px] a window of block matching, within which noise is one and the same
 constexpr double kSignificance = 100;     ///< gain in squares over their variance; chance gives 4, for four more unknowns
-constexpr double kStandsOut =
-    0.3;                      ///< [px] that planes stand apart at least (ours): twice what calibrations of pairs bend them by
+/// [px] that planes stand apart at least (ours): twice what calibrations of pairs bend them by
+constexpr double kStandsOut = 0.3;
 constexpr double kSure = 30;  ///< gain from chance once in three million; a thousand regions a second give that in an hour (ours)
 
 constexpr int kSamplePixels = kStep * kCell * kStep * kCell;
@@ -111,6 +111,7 @@ FoldSearch::Jump FoldSearch::jumpAcross(const Fold& step) const {
   for (const int from : filled_)
     for (const int next : {1, grid_.width}) {
       const int before = from + next, behind = before + next, to = behind + next;
+      if (next == 1 && to / grid_.width != from / grid_.width) continue;  // beyond the row's end
       if (to >= static_cast<int>(blocks_.size()) || sides_[from] == kNone || sides_[to] == kNone) continue;
       if (sides_[from] != sides_[before] || sides_[before] == sides_[behind] || sides_[behind] != sides_[to]) continue;
       const bool forward = sides_[from] == kFirst;

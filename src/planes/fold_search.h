@@ -21,9 +21,9 @@ struct Fold {
   double ahead(double u, double v) const { return first_sign * (first.at(u, v) - second.at(u, v)); }
 };
 
-/// Tells a bent or stepped region from a flat one (ours: a door that has just opened leaves the plane of its neighbour at the
-/// hinge by less than any tolerance, and a sliding door is before the other one by less. So one region holds both and its plane
-/// is neither's).
+/// Tells a bent or stepped region from a flat one (ours). A door that has just opened leaves the plane of its neighbour at the
+/// hinge by less than any tolerance. A sliding door is before the other one by less. So one region holds both, and its plane is
+/// neither's.
 class FoldSearch {
  public:
   /// The two planes that explain the region's cells best. Nothing unless they do so significantly better than one plane does.
@@ -32,8 +32,8 @@ class FoldSearch {
   /// plane, and than a depth camera `may_bend` one [px]; 0 for a pair.
   ///
   /// A step is a jump all along its edge, by as much as the two planes are apart, and by more than a calibration bends a plane.
-  /// What is bent or round does not jump: over the 48 px that are looked at, a camera bends by 0.11 px if it bends by 0.75 px
-  /// over half an image. A front that its neighbours surround has no such edge.
+  /// What is bent or round does not jump. A camera that bends by 0.75 px over half an image bends by 0.11 px over the 48 px that
+  /// are looked at. A front that its neighbours surround has no such edge.
   std::optional<Fold> process(const cv::Mat1f& cells, const GrownRegion& region, const RegionSet& set, double may_bend);
 
   /// Whether a cell with this disparity is on the first surface of `fold`, the last one found, for sure or rather than on the

@@ -23,23 +23,26 @@ const DisparityPlane kFixed{0.02, -0.01, 45};
 double door(double slope, double u, double v) { return u > 200 && v > 140 ? slope * (u - 200) : 0; }
 
 /// Cells of a surface as block matching measures it: an error of 0.13 px that is much the same over a window of 15 px.
-cv::Mat1f measure(const Surface& surface) {
-  cv::Mat1f noise(480, 640);
+cv::Mat1f measure(const Surface& surface, const cv::Rect& area = kArea, cv::Size image = {640, 480}) {
+  cv::Mat1f noise(image);
   cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0, 1);
   cv::boxFilter(noise, noise, -1, {15, 15});
-  cv::Mat1f cells(240, 320, std::numeric_limits<float>::quiet_NaN());
-  for (int v = kArea.y; v < kArea.br().y; v += kCell)
-    for (int u = kArea.x; u < kArea.br().x; u += kCell)
+  cv::Mat1f cells(image / kCell, std::numeric_limits<float>::quiet_NaN());
+  for (int v = area.y; v < area.br().y; v += kCell)
+    for (int u = area.x; u < area.br().x; u += kCell)
       cells(v / kCell, u / kCell) = static_cast<float>(kFixed.at(u, v) + surface(u, v) + 0.13 * 15 * noise(v, u));
   return cells;
 }
 
-std::optional<Fold> search(const Surface& surface, FoldSearch* search, double may_bend = 0) {
+std::optional<Fold> searchIn(const cv::Mat1f& cells, const cv::Rect& area, FoldSearch* search, double may_bend) {
   RegionSet set;
-  for (int row = kArea.y / kCell; row < kArea.br().y / kCell; ++row)
-    set.runs.push_back({row, kArea.x / kCell, kArea.br().x / kCell});
-  set.regions.push_back({kFixed, 0, static_cast<int>(set.runs.size()), kArea.area() / kCell / kCell});
-  return search->process(measure(surface), set.regions[0], set, may_bend);
+  for (int row = area.y / kCell; row < area.br().y / kCell; ++row) set.runs.push_back({row, area.x / kCell, area.br().x / kCell});
+  set.regions.push_back({kFixed, 0, static_cast<int>(set.runs.size()), area.area() / kCell / kCell});
+  return search->process(cells, set.regions[0], set, may_bend);
+}
+
+std::optional<Fold> search(const Surface& surface, FoldSearch* search, double may_bend = 0) {
+  return searchIn(measure(surface), kArea, search, may_bend);
 }
 
 std::optional<Fold> search(const Surface& surface) {
@@ -119,6 +122,19 @@ TEST(FoldSearch, WavesTerracesAndRoundSurfacesAreNoSteps) {
   EXPECT_FALSE(search([](double u, double) { return u > 250 ? 0.125 : 0.0; })) << "the quantum of a Kinect";
   // An arm of 9 cm before a wall at 2 m, as far as the region's tolerance holds it.
   EXPECT_FALSE(search([](double u, double) { return 0.5 * std::sqrt(std::max(0.0, 1 - std::pow((u - 250) / 15, 2))); }));
+}
+
+TEST(FoldSearch, TheEndsOfABentSurfaceAreNoStep) {
+  // As a depth camera of this width bends what fills its image: the ends are far apart, but not side by side.
+  for (const int width : {424, 644}) {
+    const cv::Rect area(0, 0, width, 240);
+    const double half = width / 2.0;
+    for (const double height : {0.75, 1.0}) {
+      const auto wave = [&](double u, double) { return height * std::pow(u / half - 1, 3); };
+      FoldSearch folds;
+      EXPECT_FALSE(searchIn(measure(wave, area, area.size()), area, &folds, kMostBend)) << width << " px, " << height;
+    }
+  }
 }
 
 TEST(FoldSearch, SurfacesThatAreNotParallelAreNoStep) {
