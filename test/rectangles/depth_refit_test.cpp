@@ -67,6 +67,53 @@ TEST_F(DepthRefitTest, LeavesOutAHandle) {
   EXPECT_LT(tilt(candidate), 0.005);
 }
 
+TEST_F(DepthRefitTest, AFrameAroundAHoleIsEnough) {
+  Rectangle hole = front_;
+  hole.width *= 0.8;
+  hole.height *= 0.8;
+  region_.mask.setTo(kHole, footprint(hole, frame_.camera));
+  RectangleCandidate candidate = turned();
+  ASSERT_TRUE(refitByDepth(frame_, &candidate)) << "36 % of the rectangle, but all of the front";
+  EXPECT_LT(tilt(candidate), 0.005);
+}
+
+TEST_F(DepthRefitTest, ChangesNothingWhereDepthIsSparse) {
+  std::mt19937 random(2);
+  std::bernoulli_distribution is_lost(0.6);
+  for (float& disparity : frame_.disparity)
+    if (is_lost(random)) disparity = 0;
+  RectangleCandidate candidate = turned();
+  EXPECT_FALSE(refitByDepth(frame_, &candidate));
+  EXPECT_GT(tilt(candidate), 0.09);
+}
+
+TEST_F(DepthRefitTest, ATracksSizeMovesNoEdgeAtACrease) {
+  for (const Edge edge : kEdges) {
+    RectangleCandidate candidate = turned();
+    candidate.guided = true;
+    const PlaneRectangle refined = candidate.rectangle;
+    HiddenBehind hidden;
+    hidden[edge] = 0.01;
+    const PlaneRectangle tracked{candidate.rectangle.center, candidate.rectangle.angle, 0.43, 0.33};  // 3 cm more are hidden
+    candidate.rectangle = tracked;
+    const ImageEdge before = *imageEdge(candidate.chart, refined, edge);
+    ASSERT_TRUE(refitAtCrease(refined, hidden, frame_, &candidate));
+    EXPECT_LT(tilt(candidate), 0.005) << edge;
+    EXPECT_NEAR(candidate.rectangle.width, tracked.width, 1e-9) << edge;
+    EXPECT_NEAR(candidate.rectangle.height, tracked.height, 1e-9) << edge;
+    const ImageEdge after = *imageEdge(candidate.chart, candidate.rectangle, edge);
+    const Eigen::Vector2d moved = (after.a + after.b - before.a - before.b) / 2;
+    // A rectangle of another plane has the same corners to within some pixels only; 1.5 cm are 7 px.
+    EXPECT_LT(std::abs(moved.dot(before.outward)), 2) << edge;
+  }
+}
+
+TEST_F(DepthRefitTest, ChangesNothingWithoutACrease) {
+  RectangleCandidate candidate = turned();
+  EXPECT_FALSE(refitAtCrease(candidate.rectangle, {}, frame_, &candidate));
+  EXPECT_GT(tilt(candidate), 0.09);
+}
+
 TEST_F(DepthRefitTest, ChangesNothingWithoutDepth) {
   frame_.disparity.setTo(0);
   RectangleCandidate candidate = turned();

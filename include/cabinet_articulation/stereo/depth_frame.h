@@ -14,6 +14,9 @@ struct DepthFrame {
   cv::Mat1b left, right;  ///< the rectified pair; empty where the input is a depth camera
 };
 
+/// False for a depth camera, of which there is no pair to compare.
+inline bool hasImages(const DepthFrame& frame) { return !frame.left.empty() && !frame.right.empty(); }
+
 /// True for a usable disparity; false for NaN, infinities, zero and negative numbers.
 inline bool isValidDisparity(float disparity) { return disparity > 0 && disparity < 1e4F; }
 

@@ -71,7 +71,7 @@ Eigen::Matrix3d fromPlane(const PlaneChart& chart, const PlaneRectangle& rectang
     ++samples;
   }
   if (samples > 0) {
-    const bool refined = !frame.left.empty();
+    const bool refined = hasImages(frame);
     const double sigma = refined ? kRefinedSigma : kDisparitySigma;
     const double windows = std::max(region.inliers / kIndependentPixels, 1.0);
     const double independent = refined ? std::min(windows, kMostRefined) : windows;

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "rectangles/chart/plane_chart.h"
 
 namespace cabinet_articulation::core {
 
 constexpr std::array<Edge, 4> kEdges{{kEdgeMinusX, kEdgePlusX, kEdgeMinusY, kEdgePlusY}};
+
+/// [m] How far each edge that ends at a crease may go on behind it, in the order of `Edge`. Nothing for the others.
+using HiddenBehind = std::array<std::optional<double>, 4>;
 
 /// The axis an edge is perpendicular to: 0 (x, the edge is `height` long) or 1 (y, the edge is `width` long).
 inline int edgeAxis(Edge edge) { return edge == kEdgeMinusX || edge == kEdgePlusX ? 0 : 1; }

@@ -98,17 +98,6 @@ bool mayPass(const RectangleCandidate& candidate, const std::vector<Rectangle>& 
          tracked(candidate.chart.toSpace(candidate.rectangle), expected);
 }
 
-/// At a crease the region's plane is a little the neighbour's, too. A size that a track gave is kept.
-bool refitWithin(const RefinedRectangle& refined, const DepthFrame& frame, RectangleCandidate* candidate) {
-  const auto& hidden = refined.hidden;
-  if (std::none_of(hidden.begin(), hidden.end(), [](const auto& behind) { return behind.has_value(); })) return false;
-  const PlaneRectangle before = std::exchange(candidate->rectangle, refined.rectangle);
-  const bool is_better = refitByDepth(frame, candidate);
-  if (!is_better) candidate->rectangle = before;
-  if (candidate->guided) candidate->rectangle.width = before.width, candidate->rectangle.height = before.height;
-  return is_better;
-}
-
 /// The size of a track stays where neither images nor depth place both edges: an edge that they place carries the other along.
 /// What something in front hides is no edge, however clear its border.
 PlaneRectangle keepSize(const PlaneRectangle& sized, const RefinedRectangle& refined, const std::array<float, 4>& shares) {
@@ -191,7 +180,7 @@ std::optional<SupportedRectangle> RectangleDetector::refine(const Surroundings& 
   const DepthFrame& frame = surroundings.frame;
   if (config_.refine_edges)
     refined = refineEdges(candidate->chart, candidate->region, surroundings, candidate->rectangle, config_);
-  if (config_.refine_planes && frame.left.empty() && refitWithin(refined, frame, candidate))
+  if (config_.refine_planes && !hasImages(frame) && refitAtCrease(refined.rectangle, refined.hidden, frame, candidate))
     refined = refineEdges(candidate->chart, candidate->region, surroundings, candidate->rectangle, config_);
   if (candidate->guided)
     refined.rectangle = keepSize(candidate->rectangle, refined, observedShares(frame, *candidate, refined.rectangle, refined));

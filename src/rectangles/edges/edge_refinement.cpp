@@ -52,8 +52,6 @@ Borders bordersOf(const Find& find_in_whole, const FindInHalf& find_in_half) {
   return borders;
 }
 
-bool hasImages(const DepthFrame& frame) { return !frame.left.empty() && !frame.right.empty(); }
-
 /// An edge by the whole, and a turn by the halves.
 EdgeShift shiftTo(const Borders& borders, const ImageEdge& image, double length) {
   const auto& [whole, first, second] = borders;

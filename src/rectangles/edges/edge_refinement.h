@@ -15,7 +15,7 @@ struct RefinedRectangle {
   PlaneRectangle rectangle;
   std::array<bool, 4> confirmed{{false, false, false, false}};  ///< edges that the images place, in the order of `Edge`
   std::array<bool, 4> placed{{false, false, false, false}};     ///< the same, or by depth
-  std::array<std::optional<double>, 4> hidden;  ///< [m] of edges that end at a crease: how far they may go on behind it
+  HiddenBehind hidden;
 };
 
 /// Where a rectangle lies.

@@ -58,7 +58,7 @@ std::optional<PlaneRectangle> carriedOver(const ImageQuad& quad, const PlaneChar
 PlaneRefit::PlaneRefit(const PlanesConfig& config) : refinement_(config) {}
 
 void PlaneRefit::process(const DepthFrame& frame, std::vector<RectangleCandidate>* candidates) {
-  if (frame.left.empty() || frame.right.empty()) return;
+  if (!hasImages(frame)) return;
   const auto is_small = [](const RectangleCandidate& candidate) { return smallQuad(candidate, kManyPixels).has_value(); };
   if (std::none_of(candidates->begin(), candidates->end(), is_small)) return;
   refinement_.setImages(frame);

@@ -78,7 +78,7 @@ void forEachPlace(const PlaneChart& chart, const PlaneRectangle& rectangle, Edge
 }  // namespace
 
 std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Mat1b& mask,
-                                 const std::array<bool, 4>& confirmed, const std::array<std::optional<double>, 4>& hidden) {
+                                 const std::array<bool, 4>& confirmed, const HiddenBehind& hidden) {
   std::array<float, 4> support{{0, 0, 0, 0}};
   for (const Edge edge : kEdges) {
     double observed = 0;

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "rectangles/chart/plane_chart.h"
+#include "rectangles/chart/image_edge.h"
 
 namespace cabinet_articulation::core {
 
@@ -16,8 +16,7 @@ namespace cabinet_articulation::core {
 /// quarter. Beyond edges that the images `confirmed`, what continues in the plane is blur or the side of a drawer's body. An
 /// edge that ends at a crease counts less the farther it may go on `hidden` behind its neighbour [m].
 std::array<float, 4> edgeSupport(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Mat1b& mask,
-                                 const std::array<bool, 4>& confirmed = {},
-                                 const std::array<std::optional<double>, 4>& hidden = {});
+                                 const std::array<bool, 4>& confirmed = {}, const HiddenBehind& hidden = {});
 
 /// Edges that mostly lie outside the image, or so near its border that nothing could be seen beyond them.
 std::array<bool, 4> cutEdges(const PlaneChart& chart, const PlaneRectangle& rectangle, const cv::Size& image);
