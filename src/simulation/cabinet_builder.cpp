@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFrontThickness = 0.018;  // [m] usual furniture boards
-constexpr double kBoard = 0.016;           // [m]
+constexpr double kBodyBoard = 0.016;       // [m]
 constexpr double kDrawerBoard = 0.012;     // [m]
 constexpr double kDrawerDepth = 0.45;      // [m]
 constexpr double kHingeInset = 0.011;      // [m] the axis lies inside the front's edge, as with cup hinges
@@ -161,15 +161,15 @@ void CabinetBuilder::addWallAndFloor(double y) {
 void CabinetBuilder::addCarcass(const Slot& slot, double depth) {
   const double y0 = kFrontThickness + 0.001;
   const double body = materials_.body;
-  addFixedBox({slot.x0, y0, slot.z0}, {slot.x0 + kBoard, depth, slot.z1}, body);
-  addFixedBox({slot.x1 - kBoard, y0, slot.z0}, {slot.x1, depth, slot.z1}, body);
-  addFixedBox({slot.x0, y0, slot.z0}, {slot.x1, depth, slot.z0 + kBoard}, body);
-  addFixedBox({slot.x0, y0, slot.z1 - kBoard}, {slot.x1, depth, slot.z1}, body);
-  addFixedBox({slot.x0, depth - kBoard, slot.z0}, {slot.x1, depth, slot.z1}, body);
+  addFixedBox({slot.x0, y0, slot.z0}, {slot.x0 + kBodyBoard, depth, slot.z1}, body);
+  addFixedBox({slot.x1 - kBodyBoard, y0, slot.z0}, {slot.x1, depth, slot.z1}, body);
+  addFixedBox({slot.x0, y0, slot.z0}, {slot.x1, depth, slot.z0 + kBodyBoard}, body);
+  addFixedBox({slot.x0, y0, slot.z1 - kBodyBoard}, {slot.x1, depth, slot.z1}, body);
+  addFixedBox({slot.x0, depth - kBodyBoard, slot.z0}, {slot.x1, depth, slot.z1}, body);
 }
 
 void CabinetBuilder::addShelf(const Slot& slot, double z, double depth) {
-  addFixedBox({slot.x0 + kBoard, 0.04, z}, {slot.x1 - kBoard, depth, z + kBoard}, materials_.body);
+  addFixedBox({slot.x0 + kBodyBoard, 0.04, z}, {slot.x1 - kBodyBoard, depth, z + kBodyBoard}, materials_.body);
 }
 
 }  // namespace cabinet_articulation::core

@@ -9,7 +9,6 @@
 
 #include "cabinet_articulation/rectangles/detected_rectangle.h"
 #include "cabinet_articulation/tracking/track.h"
-#include "geometry/board.h"
 #include "tracking/motion/motion_gate.h"
 #include "tracking/size/placement.h"
 
@@ -39,6 +38,8 @@ inline Rectangle swung(Rectangle front, double q) {
   return front;
 }
 
+constexpr double kThickness = 0.018;  ///< [m] of the fronts, whatever the tracker takes it for
+
 /// A detector with the noise of a good one: 2 mm, 0.3 degrees, 4 mm of size, and any description.
 class NoisyDetector {
  public:
@@ -47,7 +48,7 @@ class NoisyDetector {
   /// In any of the eight descriptions. The back is a board's thickness behind the front.
   DetectedRectangle operator()(const Rectangle& truth) {
     const auto k = static_cast<int>(random_() % kDescriptions);
-    return describe(plain(k < kDescriptions / 2 ? truth : pulled(truth, -kBoard)), k);
+    return describe(plain(k < kDescriptions / 2 ? truth : pulled(truth, -kThickness)), k);
   }
 
   /// In one of the four whose normal is that of `truth`, as a front is first seen.

@@ -32,8 +32,9 @@ std::optional<Continuation> continueFrom(const KnownPlace& reference, double sec
   std::optional<Continuation> best;
   if ((reference.rectangle.center() - detection.rectangle.center()).norm() > reach(reference.rectangle, seconds, config))
     return best;
+  const DetectedRectangle behind = otherSide(detection);
   for (int k = 0; k < kDescriptions; ++k) {
-    const DetectedRectangle described = describe(k < kDescriptions / 2 ? detection : otherSide(detection), k);
+    const DetectedRectangle described = describe(k < kDescriptions / 2 ? detection : behind, k);
     if (!size.fits(described)) continue;
     const Rectangle placed = placeRectangle(described, size.known(), &reference, config);
     const std::optional<double> distance = motionDistance(reference.rectangle, placed, seconds, config);
