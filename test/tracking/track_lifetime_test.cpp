@@ -25,6 +25,23 @@ TEST(TrackLifetime, TwoRectanglesOfOneFrontDoNotForkItsTrack) {
   EXPECT_EQ(tracker.tracks()[0].observations.size(), 30u);
 }
 
+TEST(TrackLifetime, RectanglesOfItsBackDoNotForkATrack) {
+  RectangleTracker tracker({});
+  NoisyDetector detect(24);
+  const auto back = [&](const Rectangle& door, int i) {
+    return describe(detect.plain(pulled(door, -kThickness)), kDescriptions / 2 + i % (kDescriptions / 2));
+  };
+  for (int i = 1; i <= 60; ++i) {
+    const Rectangle door = swung(closedFront(), 0.03 * i);
+    std::vector<DetectedRectangle> seen{i <= 30 ? detect.fromFront(door) : back(door, i)};
+    if (i > 1) seen.push_back(back(door, i + 1));
+    std::rotate(seen.begin(), seen.begin() + i % seen.size(), seen.end());
+    tracker.process(i * kFrame, seen);
+    ASSERT_EQ(tracker.tracks().size(), 1u) << i;
+  }
+  EXPECT_EQ(tracker.tracks()[0].observations.size(), 60u);
+}
+
 TEST(TrackLifetime, ClutterEndsFastAndFrontsAfterTheTimeout) {
   TrackingConfig config;
   RectangleTracker tracker(config);

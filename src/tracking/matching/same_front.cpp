@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cabinet_articulation/tracking/expected_fronts.h"
+#include "geometry/board.h"
 #include "tracking/matching/track_memory.h"
 
 namespace cabinet_articulation::core {
@@ -15,8 +16,11 @@ double sharedArea(double overlap, const Rectangle& a, const Rectangle& b) {
   return overlap / (1 + overlap) * (a.width * a.height + b.width * b.height);
 }
 
+/// What looks the other way may be the back of the same board.
 bool areInOnePlane(const Rectangle& a, const Rectangle& b, double distance, double cosine) {
-  return std::abs(a.normal().dot(b.normal())) > cosine && std::abs(a.plane().distance(b.center())) < distance;
+  const double facing = a.normal().dot(b.normal()), off = a.plane().distance(b.center());
+  const double back = facing < 0 ? -kBoard : 0;
+  return std::abs(facing) > cosine && std::min(std::abs(off), std::abs(off - back)) < distance;
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace cabinet_articulation::core {
 
-/// Two rectangles of one frame that show the same front: they overlap by a good part and lie in one plane.
+/// Two rectangles of one frame that show the same front: they overlap by a good part and lie in one plane. One of
+/// the back lies kBoard behind.
 bool isDuplicate(const Rectangle& a, const Rectangle& b);
 
 /// Intersection over union of rectangles of different frames, if they are on one stretch of a surface, whatever their sizes: one
