@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planes/cell_erosion.h"
 #include "planes/disparity_tolerance.h"
@@ -12,8 +13,8 @@
 namespace cabinet_articulation::core {
 namespace {
 
-constexpr float kNoDisparity =
-    std::numeric_limits<float>::lowest();  ///< far from every plane, so that the row loop needs no second test
+/// Farther from every plane than any limit, so that the row loops need no second test.
+constexpr float kNoDisparity = -std::numeric_limits<float>::infinity();
 
 __attribute__((target_clones("avx2", "default"))) void markRow(const float* disparity, int n, float slope, float start,
                                                                DisparityTolerance tolerance, std::uint8_t* out) {

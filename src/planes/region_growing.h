@@ -46,7 +46,7 @@ class RegionGrowing {
   /// `may_bend`: as FoldSearch.
   RegionSet& unfold(const StereoCamera& camera, double may_bend, FoldSearch* search);
 
-  /// The disparity of each cell; far below zero where nothing was measured.
+  /// The disparity of each cell; negative and infinite where nothing was measured.
   const cv::Mat1f& cells() const { return disparity_; }
 
  private:
