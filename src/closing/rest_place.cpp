@@ -2,7 +2,6 @@
 #include "closing/rest_place.h"
 
 #include <cmath>
-#include <cstddef>
 
 namespace cabinet_articulation::core {
 namespace {
@@ -76,8 +75,13 @@ std::optional<RestPlace> innermostRest(const std::vector<Correction>& measured, 
     best_log = log;
   }
   if (!best) return std::nullopt;
-  // Each step may bring in one more view.
-  for (std::size_t i = 0; i < measured.size(); ++i) best = likelihood.improved(best->q);
+  // Until a step is small against the certainty. Ours: EM slows down near its end, but takes some ten steps.
+  for (int step = 0; step < 100; ++step) {
+    const Correction next = likelihood.improved(best->q);
+    const bool converged = std::abs(next.q - best->q) < 1e-3 * next.sigma;
+    best = next;
+    if (converged) break;
+  }
   return RestPlace{*best, likelihood.viewsAt(best->q)};
 }
 
