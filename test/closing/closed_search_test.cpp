@@ -144,5 +144,14 @@ TEST_F(ClosedSearch, AnEmptyPlaceWithoutDepthIsNotShut) {
   EXPECT_FALSE(showsShut(joint, 0, edges, hidden)) << "nothing is seen, which says nothing";
 }
 
+TEST(WallView, IsHitInFrontOfTheCameraOnly) {
+  const Rectangle wall{test::facingCamera(0, 0, 1), 1, 1};
+  EXPECT_TRUE(test::hit({0, 0, 1}, wall));
+  EXPECT_FALSE(test::hit({0, 0, 1}, {test::facingCamera(0, 0, -1), 1, 1})) << "behind it";
+  const Eigen::Isometry3d edge_on =
+      Eigen::Translation3d(0, 0, 1) * Eigen::Isometry3d(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()));
+  EXPECT_FALSE(test::hit({0, 0, 0}, {edge_on, 1, 1})) << "no ray";
+}
+
 }  // namespace
 }  // namespace cabinet_articulation::core

@@ -5,21 +5,24 @@
 #include <optional>
 #include <random>
 
+#include "cabinet_articulation/geometry/plane.h"
 #include "cabinet_articulation/geometry/rectangle.h"
 #include "cabinet_articulation/stereo/depth_view.h"
 
 namespace cabinet_articulation {
 namespace test {
 
-/// Where a ray from the camera hits a rectangle, in its frame, and at what depth.
+/// Where a ray from the camera, with z = 1, hits a rectangle, in its frame, and at what depth.
 struct Hit {
   Eigen::Vector3d at;
   double depth;
 };
 
 inline std::optional<Hit> hit(const Eigen::Vector3d& ray, const core::Rectangle& rectangle) {
-  const double depth = rectangle.normal().dot(rectangle.center()) / rectangle.normal().dot(ray);
-  const Hit hit{rectangle.pose.inverse() * (depth * ray), depth};
+  const core::Plane plane{rectangle.normal(), -rectangle.normal().dot(rectangle.center())};
+  const std::optional<Eigen::Vector3d> point = plane.intersect(ray);
+  if (!point) return std::nullopt;
+  const Hit hit{rectangle.pose.inverse() * *point, point->z()};
   if (std::abs(hit.at.x()) > rectangle.width / 2 || std::abs(hit.at.y()) > rectangle.height / 2) return std::nullopt;
   return hit;
 }
