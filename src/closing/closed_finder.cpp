@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
@@ -16,6 +17,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kMostPlaces = 1000;  ///< as many as joints out of view stay known
+constexpr double kPeriod = 0.3;            ///< [s] a front closes in no less
 
 bool canBeSearched(const LearnedModel& model) { return isJoint(model) && leavesItsPlane(model); }
 
@@ -25,8 +27,8 @@ void setClosed(bool known, double q_closed, LearnedModel* model) {
   model->opening = openingAt(*model, model->q);
 }
 
-/// A front that was seen to be shut has reached its closed position, and is there unless it was detected since.
-void setShut(double shut_at, LearnedModel* model) {
+/// A front that was seen to be shut has reached its closed position, and is there unless it was detected since. Whether it is.
+bool setShut(double shut_at, LearnedModel* model) {
   const bool grows = openEnd(*model, model->q_closed) == model->q_max;
   if (grows && model->q_closed < model->q_min) {
     model->q_min = model->q_closed;
@@ -35,10 +37,11 @@ void setShut(double shut_at, LearnedModel* model) {
     model->q_max = model->q_closed;
     model->q_max_is_end = true;
   }
-  if (shut_at <= model->stamp) return;
+  if (shut_at <= model->stamp) return false;
   model->q = model->q_closed;
   model->stamp = shut_at;
   model->opening = 0;
+  return true;
 }
 
 }  // namespace
@@ -70,7 +73,6 @@ void ClosedFinder::noteSightings(const std::vector<LearnedModel>& models) {
 }
 
 bool ClosedFinder::isDue(const LearnedModel& model, double now) const {
-  constexpr double kPeriod = 0.3;  // [s] a front closes in no less
   constexpr double kGrowth = 1.25;
   const auto found = places_.find(model.id);
   if (!canBeSearched(model)) return false;
@@ -105,27 +107,24 @@ void ClosedFinder::searchOne(const std::vector<LearnedModel>& models) {
   place.closed = *closed;
 }
 
-/// Looks at the newest view, if the front was not detected there.
+/// Looks at the newest view, if the front was not detected there. Views in quick succession may be wrong together, by what passes
+/// or by how the light falls. So the front is held for shut or open only once views have said so for a while.
 void ClosedFinder::watch(const LearnedModel& model, Place* place) const {
-  constexpr int kLeastViews = 2;  // ours: one may be wrong as a whole
   if (memory_.views().empty()) return;
   const DepthView& view = memory_.views().back();
   if (isSameStamp(model.stamp, view.stamp)) {
-    place->shut_views = 0;
+    place->shown_shut.reset();
     return;
   }
   if (view.stamp == place->watched_at || view.stamp < model.stamp) return;
   place->watched_at = view.stamp;
   const std::optional<bool> shut = showsShut(model, place->closed.turn, place->history.edges, view);
   if (!shut) return;
-  int& views = place->shut_views;
-  views = *shut ? std::min(std::max(views, 0) + 1, kLeastViews) : std::max(std::min(views, 0) - 1, -kLeastViews);
-  if (views == kLeastViews) {
-    place->shut_at = view.stamp;
-    place->was_shut = true;
-  } else if (views == -kLeastViews) {
-    place->shut_at = 0;  // it was opened out of sight, nobody knows how far
-  }
+  if (place->shown_shut != shut) place->shown_since = view.stamp;
+  place->shown_shut = shut;
+  if (view.stamp - place->shown_since < kPeriod) return;
+  place->shut_at = *shut ? view.stamp : 0;  // 0: it was opened out of sight, nobody knows how far
+  place->was_shut = place->was_shut || *shut;
 }
 
 /// What is unknown and out of view is searched for anew when it returns.
@@ -143,6 +142,7 @@ void ClosedFinder::complete(std::vector<LearnedModel>* models) {
   forgetOthers(*models);
   noteSightings(*models);
   searchOne(*models);
+  const std::set<std::uint32_t> before = std::exchange(closed_, {});
   for (LearnedModel& model : *models) {
     const auto place = places_.find(model.id);
     if (place == places_.end() || !place->second.known || !canBeSearched(model)) {
@@ -157,8 +157,11 @@ void ClosedFinder::complete(std::vector<LearnedModel>* models) {
       continue;
     }
     watch(model, &place->second);
-    if (place->second.was_shut) setShut(place->second.shut_at, &model);
+    if (place->second.was_shut && setShut(place->second.shut_at, &model)) closed_.insert(model.id);
   }
+  left_closed_.clear();
+  std::set_difference(before.begin(), before.end(), closed_.begin(), closed_.end(),
+                      std::inserter(left_closed_, left_closed_.end()));
 }
 
 }  // namespace cabinet_articulation::core

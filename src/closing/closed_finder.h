@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "cabinet_articulation/articulation/learned_model.h"
@@ -17,8 +19,8 @@ namespace cabinet_articulation::core {
 /// known, when it was seen a quarter more often.
 ///
 /// The detector loses a front that shuts while it is some degrees open. The views show it shut: then its joint is at q_closed, at
-/// the stamp of the newest view that shows so. Once two views show its place empty, it is where it was detected last. What is
-/// hidden or out of view stays where it was seen last.
+/// the stamp of the newest view that shows so. Once views show its place empty, it is where it was detected last. Either takes
+/// views for 0.3 s that agree. What is hidden or out of view stays where it was seen last.
 class ClosedFinder {
  public:
   /// What the camera saw in the frame whose joints come next.
@@ -26,6 +28,10 @@ class ClosedFinder {
 
   /// Fills q_closed, closed_known and opening of every model. Also q, the range and the stamp of those that were seen shut.
   void complete(std::vector<LearnedModel>* models);
+
+  /// The fronts that complete() set to closed the time before last, and did not last time. Unless they were detected, their q
+  /// changed without an observation, and their stamp went back. Some may not be among the models any more.
+  const std::set<std::uint32_t>& leftClosed() const { return left_closed_; }
 
   /// Joints of an earlier run, with what was known of them.
   void remember(const std::vector<LearnedModel>& joints);
@@ -42,10 +48,11 @@ class ClosedFinder {
     double searched_at = 0;  ///< [s] stamp of the newest view then
     int observations = 0;    ///< of the joint then
     FrontHistory history;
-    double watched_at = 0;  ///< [s] stamp of the newest view in which it was looked whether the front is shut
-    int shut_views = 0;     ///< that show it shut, since one that shows it open; negative: the other way round
-    double shut_at = 0;     ///< [s] stamp of the newest that shows it shut, once they are enough; 0: it is not
-    bool was_shut = false;  ///< ever
+    double watched_at = 0;           ///< [s] stamp of the newest view in which it was looked whether the front is shut
+    std::optional<bool> shown_shut;  ///< what the last such view said that said anything; nothing once the front was detected
+    double shown_since = 0;          ///< [s] stamp of the first of the views that said the same without a break
+    double shut_at = 0;              ///< [s] stamp of the newest that shows it shut, once they are enough; 0: it is not
+    bool was_shut = false;           ///< ever
   };
 
   void forgetOthers(const std::vector<LearnedModel>& models);
@@ -56,6 +63,7 @@ class ClosedFinder {
 
   ViewMemory memory_;
   std::map<std::uint32_t, Place> places_;
+  std::set<std::uint32_t> closed_, left_closed_;  ///< ids
 };
 
 }  // namespace cabinet_articulation::core

@@ -3,6 +3,8 @@
 #include <cabinet_articulation/KnownFrontArray.h>
 #include <sensor_msgs/JointState.h>
 
+#include <cmath>
+
 #include "support/model_file_fixture.h"
 #include "support/wall_view.h"
 
@@ -73,6 +75,27 @@ TEST_F(ShutFront, IsKeptInAFile) {
   EXPECT_EQ(ajar.q_min, ajar.q_closed);
   EXPECT_TRUE(ajar.q_min_is_end);
   EXPECT_NEAR(ajar.opening, 0.5 / kOpen, 0.05);
+}
+
+/// Joint states are of what a frame shows. That a front is not where it was shut is news, too, though no detector saw it.
+TEST_F(ShutFront, IsSentToBeWhereItWasDetectedOnceItsPlaceIsEmpty) {
+  constexpr int kFrames = 40, kRest = 10;
+  const test::Recorder<sensor_msgs::JointState> states("/cabinet/joint_states");
+  move(0, 0, kRest);
+  move(0, kOpen, kFrames);
+  move(kOpen, 0, kFrames);
+  ASSERT_EQ(move(0, 0, kRest).opening, 0);
+  ArticulationModel left;
+  for (int i = 0; i < kRest; ++i) {
+    stamp_ += 1.0 / 15;
+    view_ = kitchen_.at(doorPose(M_PI / 2), stamp_);
+    const ArticulationModelArrayConstPtr models = publish(stamp_);
+    ASSERT_TRUE(models && !models->models.empty());
+    left = models->models[0];
+  }
+  ASSERT_GT(left.opening, 0);
+  const auto sent = [&] { return !states.messages.empty() && std::abs(states.messages.back()->position[0] - left.q) < 1e-6; };
+  EXPECT_TRUE(test::spinUntil(sent));
 }
 
 }  // namespace

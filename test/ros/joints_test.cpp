@@ -76,6 +76,17 @@ TEST(Joints, StatesAreThoseObservedInTheFrame) {
   EXPECT_EQ(state.header.stamp, ros::Time(5));
 }
 
+/// As of a front that was held for shut until its place was seen empty.
+TEST(Joints, StatesAreAlsoThoseThatChangedWithoutAnObservation) {
+  core::LearnedModel door = test::doorModel(), drawer = test::drawerModel();
+  door.stamp = 5;
+  drawer.stamp = 4;
+  const sensor_msgs::JointState state = jointStates({door, drawer, test::restingModel()}, headerAt(5), {drawer.id, 99});
+  EXPECT_EQ(state.name, (std::vector<std::string>{"front_3", "front_4"}));
+  EXPECT_EQ(state.position, (std::vector<double>{door.q, drawer.q}));
+  EXPECT_EQ(state.header.stamp, ros::Time(5));
+}
+
 TEST(Joints, LastStatesAreThoseOfAll) {
   core::LearnedModel door = test::doorModel(), drawer = test::drawerModel();
   door.stamp = 5;

@@ -169,7 +169,7 @@ class ArticulationStage : public StageNodelet {
     health().note("joints", static_cast<double>(std::count_if(models.begin(), models.end(), core::isJoint)));
     store_->update(&models);
     const std::vector<core::LearnedModel> joints = counted(models);
-    sensor_msgs::JointState joint_states = jointStates(joints, header);
+    sensor_msgs::JointState joint_states = jointStates(joints, header, closed_.leftClosed());
     if (!joint_states.name.empty()) publish(joint_states_, std::move(joint_states));
     broadcast(joints, header);
     publish(models_, toMessage(models, header));

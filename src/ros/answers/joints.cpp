@@ -51,11 +51,13 @@ std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<c
   return transforms;
 }
 
-sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header) {
+sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header,
+                                    const std::set<std::uint32_t>& changed) {
   sensor_msgs::JointState state;
   state.header = header;
   for (const core::LearnedModel& model : models) {
-    if (isJoint(model) && core::isSameStamp(model.stamp, header.stamp.toSec())) addState(model, &state);
+    const bool is_news = core::isSameStamp(model.stamp, header.stamp.toSec()) || changed.count(model.id) > 0;
+    if (isJoint(model) && is_news) addState(model, &state);
   }
   return state;
 }

@@ -5,6 +5,8 @@
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Header.h>
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,10 @@ std::string jointPrefix(const std::string& ros_namespace);
 std::vector<geometry_msgs::TransformStamped> jointTransforms(const std::vector<core::LearnedModel>& models,
                                                              const std_msgs::Header& header, const std::string& prefix);
 
-/// Joints, called core::nameOf(), that were observed in the frame of the header, with their q.
-sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header);
+/// Joints, called core::nameOf(), that were observed in the frame of the header, with their q. Also those of `changed`: ids of
+/// joints whose q changed without an observation.
+sensor_msgs::JointState jointStates(const std::vector<core::LearnedModel>& models, const std_msgs::Header& header,
+                                    const std::set<std::uint32_t>& changed = {});
 
 /// All joints with their last q, whenever that was observed; the stamp is that of the newest.
 sensor_msgs::JointState lastJointStates(const std::vector<core::LearnedModel>& models, const std::string& frame_id);
