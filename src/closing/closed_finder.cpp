@@ -63,12 +63,10 @@ void ClosedFinder::noteSightings(const std::vector<LearnedModel>& models) {
   for (const LearnedModel& model : models) {
     if (!canBeSearched(model) || !isSameStamp(model.stamp, view.stamp)) continue;
     FrontHistory& history = places_[model.id].history;
-    history.edges.add(look(view, frontAt(model, model.q), kNeighbourBand));
     std::vector<Sighting>& sightings = history.sightings;
     const auto is_forgotten = [this](const Sighting& sighting) { return !memory_.has(sighting.stamp); };
     sightings.erase(std::remove_if(sightings.begin(), sightings.end(), is_forgotten), sightings.end());
-    if (sightings.empty() || !isSameStamp(sightings.back().stamp, view.stamp))
-      sightings.push_back({view.stamp, model.predict(model.q)});
+    if (sightings.empty() || !isSameStamp(sightings.back().stamp, view.stamp)) addSighting(model, model.q, view, &history);
   }
 }
 
@@ -118,6 +116,8 @@ void ClosedFinder::watch(const LearnedModel& model, Place* place) const {
   }
   if (view.stamp == place->watched_at || view.stamp < model.stamp) return;
   place->watched_at = view.stamp;
+  // Of a joint of an earlier run.
+  if (!place->closed.turn) place->closed.turn = turnOf(model, place->history.sightings, memory_.views());
   const std::optional<bool> shut = showsShut(model, place->closed.turn, place->history.edges, view);
   if (!shut) return;
   if (place->shown_shut != shut) place->shown_since = view.stamp;

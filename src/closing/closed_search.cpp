@@ -9,18 +9,15 @@
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
 #include "closing/rest_place.h"
+#include "closing/surface_around.h"
 #include "geometry/median.h"
 #include "geometry/message_precision.h"
 
 namespace cabinet_articulation::core {
 namespace {
 
-/// [m] Points that may belong to a plane before it is fitted: it may still be off by as much as neighbours may.
-constexpr double kNear = 2 * kNeighbourBand;
-
-constexpr int kScanStep = 2;            ///< cells; the search needs no more, and most of the time is spent there
-constexpr std::size_t kLeastViews = 2;  ///< ours: one may be wrong as a whole
-constexpr std::size_t kScanned = 6;     ///< views in which the surface is searched for; it rests, so few do
+constexpr int kScanStep = 2;         ///< cells; the search needs no more, and most of the time is spent there
+constexpr std::size_t kScanned = 6;  ///< views in which the surface is searched for; it rests, so few do
 
 struct Steps {
   double size, beyond;
@@ -71,66 +68,10 @@ std::optional<double> scan(const LearnedModel& joint, const OwnEdges& edges, con
   return best;
 }
 
-/// Where the surface around the front is. Narrow neighbours tell it in no single view as exactly as fronts are flush. It rests,
-/// so the views tell it together: it is their median, weighted by information. Surface beside a hinge alone does not tell it.
-struct Surface {
-  double q = 0;
-  double sigma = 0;    ///< of the median
-  double scatter = 0;  ///< of the views about that
-};
-
-struct Weighted {
-  double value = 0, weight = 0;
-};
-
-/// Half of the weight is below it.
-double weightedMedian(std::vector<Weighted> values) {
-  std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
-  double rest = 0;
-  for (const Weighted& each : values) rest += each.weight / 2;
-  for (const Weighted& each : values)
-    if ((rest -= each.weight) <= 0) return each.value;
-  return 0;
-}
-
-/// The points beside those sides beyond which the plane goes on; what is farther back or nearer elsewhere is something else.
-std::vector<Eigen::Vector3d> surfacePoints(const FrontInView& seen, const OwnEdges& edges) {
-  std::vector<Eigen::Vector3d> points;
-  for (std::size_t side = 0; side < kSides; ++side)
-    if (edges.isEdge(side) && goesOn(seen.beside[side]))
-      points.insert(points.end(), seen.around[side].begin(), seen.around[side].end());
-  return points;
-}
-
-std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& edges, double q,
-                                     const std::vector<const DepthView*>& views) {
-  constexpr int kIterations = 4;
-  Surface surface{q, 0, 0};
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    std::vector<Weighted> corrections;
-    double information = 0;
-    const Rectangle front = frontAt(joint, surface.q);
-    for (const DepthView* view : views) {
-      const std::optional<SurfacePlane> plane = fitSurface(surfacePoints(look(*view, front, kNear), edges));
-      if (!plane) continue;
-      const Correction correction = correctionTo(*plane, joint, surface.q);
-      corrections.push_back({correction.q, 1 / (correction.sigma * correction.sigma)});
-      information += corrections.back().weight;
-    }
-    if (corrections.empty()) return std::nullopt;
-    surface.sigma = 1 / std::sqrt(information);
-    const double middle = weightedMedian(corrections);
-    for (Weighted& correction : corrections) correction.value = std::abs(correction.value - middle);
-    surface.q += middle;
-    surface.scatter = kDeviationToSigma * weightedMedian(corrections);
-  }
-  return surface;
-}
-
 constexpr double kFull = 0.7;  ///< of the cells that the front has (ours), beside an arm
 
-/// How much of its place a front fills: all of it, unless it is a frame around a hole.
-double fillOf(const LearnedModel& joint, const OwnEdges& edges) { return joint.hollow ? edges.fill() : 1; }
+/// How much of its place a front fills: all of it, unless it is a frame around a hole. Nothing while that is not known.
+std::optional<double> fillOf(const LearnedModel& joint, const OwnEdges& edges) { return joint.hollow ? edges.fill() : 1; }
 
 /// A view in which the front closes the surface.
 struct ClosedView {
@@ -140,14 +81,16 @@ struct ClosedView {
 
 constexpr double kLogOdds = 3;  ///< [nats] ln 20 (ours)
 
-/// Those in which it is rather closed than anywhere else. All of them, for views that agree by chance say nothing.
+/// All views in which it is rather closed than anywhere else. To keep only those that agree best would make chance look certain.
 std::vector<ClosedView> closedViews(const LearnedModel& joint, const OwnEdges& edges, const Surface& surface,
                                     const std::vector<const DepthView*>& views) {
   std::vector<ClosedView> closed;
+  const std::optional<double> fill = fillOf(joint, edges);
+  if (!fill) return closed;
   const Rectangle front_there = frontAt(joint, surface.q);
   for (const DepthView* view : views) {
     const FrontInView seen = look(*view, front_there, kNear);
-    const bool is_full = seen.inside.in_plane >= kFull * fillOf(joint, edges) * seen.inside.seen();
+    const bool is_full = seen.inside.in_plane >= kFull * *fill * seen.inside.seen();
     const std::optional<SurfacePlane> plane = is_full ? fitSurface(seen.front) : std::nullopt;
     if (!plane) continue;
     const Correction front = correctionTo(*plane, joint, surface.q);
@@ -168,22 +111,28 @@ std::optional<RestPlace> restOf(const LearnedModel& joint, const Surface& surfac
   return rest;
 }
 
-/// How a door's front is turned against its joint in views: the median where it was detected. Its opening is told by where the
-/// front is, and its closed place by its direction, which depth bends. A drawer's is told by its place both times.
-double turnOf(const LearnedModel& joint, const std::vector<Sighting>& sightings, const std::vector<DepthView>& views) {
+}  // namespace
+
+void addSighting(const LearnedModel& joint, double q, const DepthView& view, FrontHistory* history) {
+  const Rectangle front = frontAt(joint, q);
+  history->edges.add(lookBeside(view, front, kNeighbourBand, 1), look(view, front, kNear).inside);
+  history->sightings.push_back({view.stamp, front.pose});
+}
+
+std::optional<double> turnOf(const LearnedModel& joint, const std::vector<Sighting>& sightings,
+                             const std::vector<DepthView>& views) {
+  if (joint.type != JointType::kRotational) return 0;
   std::vector<double> turns;
   for (const DepthView& view : views) {
     const auto is_of_view = [&view](const Sighting& sighting) { return isSameStamp(sighting.stamp, view.stamp); };
     const auto sighting = std::find_if(sightings.begin(), sightings.end(), is_of_view);
-    if (joint.type != JointType::kRotational || sighting == sightings.end()) continue;
+    if (sighting == sightings.end()) continue;
     const double q = joint.configuration(sighting->front);
     const std::optional<SurfacePlane> plane = fitSurface(look(view, frontAt(joint, q), kNear).front);
     if (plane) turns.push_back(correctionTo(*plane, joint, q).q);
   }
-  return turns.size() < kLeastViews ? 0 : median(turns);
+  return turns.size() < kLeastViews ? std::nullopt : std::optional<double>(median(turns));
 }
-
-}  // namespace
 
 std::optional<ClosedPlace> findClosed(const LearnedModel& joint, const FrontHistory& history,
                                       const std::vector<DepthView>& views) {
@@ -206,27 +155,32 @@ std::optional<ClosedPlace> findClosed(const LearnedModel& joint, const FrontHist
   const std::optional<RestPlace> rest = restOf(joint, *surface, closedViews(joint, edges, *surface, likely));
   if (!rest || rest->views < static_cast<int>(kLeastViews)) return std::nullopt;
   if (!(closedLogOdds(joint, {rest->place.q, std::hypot(rest->place.sigma, surface->sigma)}) > kLogOdds)) return std::nullopt;
-  const double turn = turnOf(joint, history.sightings, views);
+  const double turn = turnOf(joint, history.sightings, views).value_or(0);
   const double q = surface->q + rest->place.q - turn;
   if (!isWithin(q, limits::kConfiguration) || !opensOutwardsFrom(joint, q)) return std::nullopt;
   return ClosedPlace{frontAt(joint, q), turn};
 }
 
-std::optional<bool> showsShut(const LearnedModel& joint, double turn, const OwnEdges& edges, const DepthView& view) {
+std::optional<bool> showsShut(const LearnedModel& joint, const std::optional<double>& turn, const OwnEdges& edges,
+                              const DepthView& view) {
+  const std::optional<double> fill = fillOf(joint, edges);
+  if (!fill) return std::nullopt;
   const FrontInView seen = look(view, frontAt(joint, joint.q_closed), kNear);
   const CellCount& inside = seen.inside;
-  const int cells = inside.seen() + inside.blind;
-  const double fill = fillOf(joint, edges), half_empty = (1 - fill / 2) * cells;
+  const double half_empty = (1 - *fill / 2) * inside.all();
   if (inside.behind > half_empty) return false;
-  // A front that was seen shut has depth, and what hides it hides what is beside it, too. A dark cabinet has none.
-  if (inside.behind + inside.blind > half_empty && surfaceLogOdds(seen.beside) > kLogOdds) return false;
+  // A front that was seen shut has depth, and a dark cabinet has none. What hides a front rarely ends at two of its edges.
+  if (inside.behind + inside.blind > half_empty && isBetweenSurfaces(seen.beside)) return false;
   // The rim of an open cabinet may be all of it that has depth: cells without depth count.
-  if (inside.in_plane < kFull * fill * cells) return std::nullopt;
+  if (inside.in_plane < kFull * *fill * inside.all()) return std::nullopt;
   const std::optional<SurfacePlane> plane = fitSurface(seen.front);
   if (!plane) return std::nullopt;
   Correction front = correctionTo(*plane, joint, joint.q_closed);
-  front.q -= turn;
-  return closedLogOdds(joint, front) > kLogOdds;
+  front.q -= turn.value_or(0);
+  // An unknown turn is as uncertain as depth bends. It may explain why a shut front seems to be ajar.
+  if (!turn) front.sigma = std::hypot(front.sigma, sigmaOfFlush(joint));
+  const bool is_shut = closedLogOdds(joint, front) > kLogOdds;
+  return is_shut || turn ? std::optional<bool>(is_shut) : std::nullopt;
 }
 
 }  // namespace cabinet_articulation::core

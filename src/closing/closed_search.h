@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -21,9 +22,7 @@ namespace cabinet_articulation::core {
  * A front that was ajar all the time has an answer to the first question alone, and it was not seen closed.
  */
 
-/// [m] What is so near to a plane lies in it, when neighbours are looked for: the depth of a Kinect has
-/// steps of 12 mm at 2 m.
-constexpr double kNeighbourBand = 0.015;
+constexpr std::size_t kLeastViews = 2;  ///< ours: one may be wrong as a whole
 
 /// A front where it was detected.
 struct Sighting {
@@ -37,18 +36,28 @@ struct FrontHistory {
   std::vector<Sighting> sightings;
 };
 
+/// Adds a view in which the joint's front was detected, at q.
+void addSighting(const LearnedModel& joint, double q, const DepthView& view, FrontHistory* history);
+
 /// Where a front is closed.
 struct ClosedPlace {
-  Rectangle front;  ///< in the fixed frame
-  double turn = 0;  ///< [rad] by which views see a door's front turned, about its axis, against where its joint has it
+  Rectangle front;             ///< in the fixed frame
+  std::optional<double> turn;  ///< turnOf(); nothing while it is not known
 };
+
+/// [rad] By how much views see a door's front turned about its axis, against where its joint has it: the median where it was
+/// detected. A joint has its q from where the front is, which bent depth hardly changes. The closed place is told by the
+/// direction of the front's plane, which bent depth turns. Nothing for too few views. 0 for a drawer: its place tells both.
+std::optional<double> turnOf(const LearnedModel& joint, const std::vector<Sighting>& sightings,
+                             const std::vector<DepthView>& views);
 
 /// Nothing unless the front was seen closed.
 std::optional<ClosedPlace> findClosed(const LearnedModel& joint, const FrontHistory& history,
                                       const std::vector<DepthView>& views);
 
 /// Whether a view shows the front of a joint with a known closed position there. `turn`: of its ClosedPlace. No answer: its place
-/// is hidden, or not in view.
-std::optional<bool> showsShut(const LearnedModel& joint, double turn, const OwnEdges& edges, const DepthView& view);
+/// is hidden or not in view; the front is hollow, and its fill not known; or it seems to be ajar, and its turn is not known.
+std::optional<bool> showsShut(const LearnedModel& joint, const std::optional<double>& turn, const OwnEdges& edges,
+                              const DepthView& view);
 
 }  // namespace cabinet_articulation::core

@@ -86,11 +86,10 @@ FrontInView look(const DepthView& view, const Rectangle& front, double band) {
   FrontInView result;
   forEachPoint<Cells::kAll>(view, front, 1, [&](std::size_t part, float depth, const Eigen::Vector3d& point) {
     const bool inside = part == kInside;
-    if (!(depth > 0)) {
-      if (inside) ++result.inside.blind;
-      return;
-    }
-    if (count(point, band, inside ? &result.inside : &result.beside[part]))
+    CellCount& cells = inside ? result.inside : result.beside[part];
+    if (!(depth > 0))
+      ++cells.blind;
+    else if (count(point, band, &cells))
       (inside ? result.front : result.around[part]).push_back(point);
   });
   return result;
@@ -106,13 +105,22 @@ CellsBeside lookBeside(const DepthView& view, const Rectangle& front, double ban
 
 bool goesOn(const CellCount& beside) { return beside.seen() >= kLeastCells && 2 * beside.in_plane > beside.seen(); }
 
-void OwnEdges::add(const FrontInView& seen) {
-  in_plane_ += seen.inside.in_plane;
-  behind_ += seen.inside.behind;
+bool isBetweenSurfaces(const CellsBeside& beside) {
+  const auto goes_on = [&beside](std::size_t edge) {
+    const CellCount &first = beside[2 * edge], &second = beside[2 * edge + 1];
+    const int in_plane = first.in_plane + second.in_plane;
+    return in_plane >= kLeastCells && 2 * in_plane > first.all() + second.all();
+  };
+  return (goes_on(kEdgeMinusX) && goes_on(kEdgePlusX)) || (goes_on(kEdgeMinusY) && goes_on(kEdgePlusY));
+}
+
+void OwnEdges::add(const CellsBeside& beside, const CellCount& inside) {
+  in_plane_ += inside.in_plane;
+  behind_ += inside.behind;
   for (std::size_t side = 0; side < kSides; ++side) {
-    if (seen.beside[side].seen() < kLeastCells) continue;
+    if (beside[side].seen() < kLeastCells) continue;
     ++seen_[side];
-    if (goesOn(seen.beside[side])) ++along_[side];
+    if (goesOn(beside[side])) ++along_[side];
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "cabinet_articulation/joints/joint.h"
 #include "geometry/degrees.h"
@@ -39,8 +40,7 @@ class ClosedSearch : public testing::Test {
     for (const double q : qs) {
       views_.push_back(kitchen.at(truth.predict(q), stamp_ += 0.1));
       if (q < least) continue;
-      history_.edges.add(look(views_.back(), frontAt(joint, q), kNeighbourBand));
-      history_.sightings.push_back({stamp_, joint.predict(q)});
+      addSighting(joint, q, views_.back(), &history_);
     }
   }
 
@@ -77,10 +77,32 @@ TEST_F(ClosedSearch, ADoorThatIsTurnedAgainstItsJointIsClosedWhereItsPlaceIs) {
   show({frontAt(truth, 0), wallAround(truth)}, truth, joint, kDoorOpens, truth.q_min);
   const std::optional<ClosedPlace> place = findClosed(joint, history_, views_);
   ASSERT_TRUE(place);
-  EXPECT_NEAR(std::abs(place->turn), 1.2 * kDegree, 0.1 * kDegree);
+  EXPECT_NEAR(std::abs(place->turn.value_or(0)), 1.2 * kDegree, 0.1 * kDegree);
   EXPECT_NEAR(find(joint), 0, 0.2 * kDegree);
   joint.q_closed = 0;
   EXPECT_TRUE(showsShut(joint, place->turn, history_.edges, views_[0]).value_or(false)) << "it is turned there, too";
+  EXPECT_NE(showsShut(joint, std::nullopt, history_.edges, views_[0]), false) << "the turn may be what makes it look ajar";
+  EXPECT_FALSE(showsShut(joint, std::nullopt, history_.edges, views_.back()).value_or(true)) << "wide open";
+}
+
+TEST_F(ClosedSearch, AnUnknownTurnSaysNothingOfADoorThatSeemsAjar) {
+  LearnedModel joint = door();
+  joint.q_closed = 0;
+  WallView kitchen(frontAt(joint, 0), wallAround(joint));
+  const auto shuts = [&](double degrees, std::optional<double> turn) {
+    return showsShut(joint, turn, OwnEdges(), kitchen.at(joint.predict(degrees * kDegree), 1));
+  };
+  EXPECT_EQ(shuts(0, std::nullopt), true);
+  EXPECT_EQ(shuts(3, std::nullopt), std::nullopt);
+  EXPECT_EQ(shuts(3, 0), false);
+}
+
+TEST_F(ClosedSearch, ATurnIsMeasuredInViewsThatShowTheDoorOpen) {
+  const LearnedModel truth = door();
+  EXPECT_FALSE(turnOf(truth, history_.sightings, views_)) << "it was not seen";
+  EXPECT_EQ(turnOf(drawer(), {}, {}), 0);
+  show({frontAt(truth, 0), wallAround(truth)}, truth, truth, kDoorOpens, truth.q_min);
+  EXPECT_NEAR(turnOf(truth, history_.sightings, views_).value_or(1), 0, 0.1 * kDegree);
 }
 
 TEST_F(ClosedSearch, ADoorThatWasAjarByTwoDegreesWasNotSeenClosed) {
@@ -96,13 +118,26 @@ TEST_F(ClosedSearch, AGlassDoorFillsItsPlaceAsItDidWhileItWasOpen) {
   WallView kitchen(frontAt(glass, 0), wallAround(glass));
   kitchen.frame = 0.07;
   show(kitchen, glass, glass, kDoorOpens, glass.q_min);
-  ASSERT_LT(history_.edges.fill(), 0.7);
+  ASSERT_LT(history_.edges.fill().value_or(1), 0.7);
   EXPECT_TRUE(std::isnan(find(glass))) << "a door without a hole is not closed if it is half there";
   glass.hollow = true;
   EXPECT_NEAR(find(glass), 0, 0.2 * kDegree);
   glass.q_closed = 0;
   EXPECT_TRUE(showsShut(glass, 0, history_.edges, views_[0]).value_or(false));
   EXPECT_FALSE(showsShut(glass, 0, history_.edges, views_.back()).value_or(true)) << "wide open";
+  for (const std::size_t i : {std::size_t{0}, views_.size() - 1})
+    EXPECT_FALSE(showsShut(glass, 0, OwnEdges(), views_[i])) << "how much of it is there is not known";
+}
+
+/// Noise takes points out of a front's plane while it is open as it does while it is closed.
+TEST_F(ClosedSearch, WhatAFrontFillsIsMeasuredAsItIsUsed) {
+  const LearnedModel truth = door();
+  WallView kitchen(frontAt(truth, 0), wallAround(truth));
+  kitchen.noise = 0.02;
+  show(kitchen, truth, truth, {0, 0.4, 0.5, 0.6}, truth.q_min);
+  const CellCount closed = look(views_[0], frontAt(truth, 0), kNear).inside;
+  const double used = 1.0 * closed.in_plane / (closed.in_plane + closed.behind);
+  EXPECT_NEAR(history_.edges.fill().value_or(0), used, 0.05);
 }
 
 /// As beside a fridge: a base unit, and nothing above it.
@@ -142,6 +177,22 @@ TEST_F(ClosedSearch, AnEmptyPlaceWithoutDepthIsNotShut) {
   EXPECT_FALSE(showsShut(joint, 0, edges, view).value_or(true)) << "the wall around it is seen";
   hidden.depth.assign(hidden.depth.size(), 0);
   EXPECT_FALSE(showsShut(joint, 0, edges, hidden)) << "nothing is seen, which says nothing";
+}
+
+/// As where light blinds the camera: one neighbour that is seen does not tell that the front is gone.
+TEST_F(ClosedSearch, AFrontThatIsBlindWithThreeOfItsSidesSaysNothing) {
+  LearnedModel joint = door();
+  joint.q_closed = 0;
+  WallView kitchen(frontAt(joint, 0), wallAround(joint));
+  for (const double side : {-1, 1}) {
+    Rectangle blind = wallAround(joint);
+    blind.pose = joint.predict(0) * Eigen::Translation3d(side * (blind.width - joint.width) / 2, 0, 0);
+    DepthView view = kitchen.at(joint.predict(0), 1);
+    for (int row = 0; row < view.rows; ++row)
+      for (int column = 0; column < view.columns; ++column)
+        if (test::hit(view.ray(column, row), blind)) view.depth[row * view.columns + column] = 0;
+    EXPECT_FALSE(showsShut(joint, 0, OwnEdges(), view)) << side;
+  }
 }
 
 TEST(WallView, IsHitInFrontOfTheCameraOnly) {

@@ -57,7 +57,7 @@ TEST(FrontInView, WhatGoesAlongWithTheFrontIsNoNeighbour) {
   FrontInView open;
   open.beside[kRight] = {0, 0, 20};
   open.beside[kAbove] = {18, 0, 2};
-  edges.add(open);
+  edges.add(open.beside, open.inside);
   EXPECT_TRUE(edges.isEdge(kRight));
   EXPECT_FALSE(edges.isEdge(kAbove)) << "the image cut the front there";
   EXPECT_FALSE(edges.isEdge(kBelow)) << "not in view";
@@ -76,13 +76,35 @@ TEST(FrontInView, ANeighbourMayBeHalfAsHigh) {
   EXPECT_EQ(along, 4) << "both halves of the lower edge, and the lower halves of those left and right";
 }
 
+TEST(FrontInView, IsBetweenSurfacesThatAreSeenAtOppositeEdges) {
+  const auto blinded = [](const std::vector<Edge>& edges) {
+    CellsBeside beside;
+    beside.fill({20, 0, 0, 0});
+    for (const Edge edge : edges) beside[2 * edge] = beside[2 * edge + 1] = {4, 0, 0, 16};
+    return beside;
+  };
+  EXPECT_TRUE(isBetweenSurfaces(blinded({})));
+  EXPECT_TRUE(isBetweenSurfaces(blinded({kEdgeMinusY, kEdgePlusY})));
+  EXPECT_FALSE(isBetweenSurfaces(blinded({kEdgeMinusX, kEdgePlusY})));
+  EXPECT_FALSE(isBetweenSurfaces({})) << "nothing is in view";
+}
+
+TEST(FrontInView, CountsCellsWithoutDepthBesideToo) {
+  DepthView blind = wall();
+  blind.depth.assign(blind.depth.size(), 0);
+  const CellsBeside seen = look(wall(), frontAtDepth(1.5), kBand).beside;
+  const CellsBeside unseen = look(blind, frontAtDepth(1.5), kBand).beside;
+  for (std::size_t side = 0; side < kSides; ++side) EXPECT_EQ(unseen[side].blind, seen[side].seen());
+}
+
 TEST(FrontInView, HowMuchOfAFrontIsThereIsSeenWhereItIsOpen) {
   OwnEdges edges;
-  EXPECT_EQ(edges.fill(), 1) << "not known yet";
+  EXPECT_FALSE(edges.fill()) << "not known yet";
   FrontInView open;
   open.inside = {40, 15, 60};
-  edges.add(open);
-  EXPECT_DOUBLE_EQ(edges.fill(), 0.4) << "what is before it hides it";
+  edges.add(open.beside, open.inside);
+  ASSERT_TRUE(edges.fill());
+  EXPECT_DOUBLE_EQ(*edges.fill(), 0.4) << "what is before it hides it";
 }
 
 TEST(SurfacePlane, IsFoundBesideAHandle) {

@@ -7,6 +7,7 @@
 
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_finder.h"
+#include "geometry/degrees.h"
 #include "support/models.h"
 #include "support/wall_view.h"
 
@@ -84,6 +85,16 @@ TEST_F(ShutWatch, TellsWhichFrontLeftItsClosedPlace) {
   const LearnedModel left = show(1.5, false);
   EXPECT_EQ(left.q, 0.5) << "as it was detected last";
   EXPECT_TRUE(finder_.leftClosed().empty()) << "only once";
+}
+
+/// A model file does not have the angle by which depth turns the front where it is.
+TEST_F(ShutWatch, MeasuresHowViewsTurnTheFrontAnew) {
+  LearnedModel turned = truth_;
+  turned.origin.rotate(Eigen::AngleAxisd(-1.5 * kDegree, Eigen::Vector3d::UnitY()));
+  startWith(turned);
+  open();
+  EXPECT_NEAR(timeUntil(0, true), 0.3, period_ + 1e-6);
+  EXPECT_TRUE(std::isnan(timeUntil(0, false)));
 }
 
 }  // namespace
