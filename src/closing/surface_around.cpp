@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "cabinet_articulation/joints/joint.h"
 #include "closing/closed_place.h"
@@ -25,6 +27,25 @@ double weightedMedian(std::vector<Weighted> values) {
   return 0;
 }
 
+/// Adds up the information of views, oldest first. The most exact one of each second counts.
+class Information {
+ public:
+  void add(double stamp, double weight) {
+    constexpr double kSharedNoise = 1;  // [s] ours: in less, a camera that is carried along has not moved on
+    if (!(stamp - start_ < kSharedNoise)) {
+      start_ = stamp;
+      sum_ += std::exchange(most_, 0);
+    }
+    most_ = std::max(most_, weight);
+  }
+
+  double sum() const { return sum_ + most_; }
+
+ private:
+  double start_ = -std::numeric_limits<double>::infinity();
+  double sum_ = 0, most_ = 0;
+};
+
 /// The points beside those sides beyond which the plane goes on; what is farther back or nearer elsewhere is something else.
 std::vector<Eigen::Vector3d> surfacePoints(const FrontInView& seen, const OwnEdges& edges) {
   std::vector<Eigen::Vector3d> points;
@@ -42,17 +63,18 @@ std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& 
   Surface surface{q, 0, 0};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     std::vector<Weighted> corrections;
-    double information = 0;
+    Information information;
     const Rectangle front = frontAt(joint, surface.q);
     for (const DepthView* view : views) {
       const std::optional<SurfacePlane> plane = fitSurface(surfacePoints(look(*view, front, kNear), edges));
       if (!plane) continue;
       const Correction correction = correctionTo(*plane, joint, surface.q);
       corrections.push_back({correction.q, 1 / (correction.sigma * correction.sigma)});
-      information += corrections.back().weight;
+      information.add(view->stamp, corrections.back().weight);
     }
     if (corrections.empty()) return std::nullopt;
-    surface.sigma = 1 / std::sqrt(information);
+    // The variance of a median is pi / 2 that of a mean, for Gaussian noise.
+    surface.sigma = std::sqrt(M_PI / 2 / information.sum());
     const double middle = weightedMedian(corrections);
     for (Weighted& correction : corrections) correction.value = std::abs(correction.value - middle);
     surface.q += middle;

@@ -14,11 +14,12 @@ namespace cabinet_articulation::core {
 /// as fronts are flush. It rests, so the views tell it together: it is their median, weighted by information.
 struct Surface {
   double q = 0;        ///< [m or rad]
-  double sigma = 0;    ///< [m or rad] of the mean of the views
+  double sigma = 0;    ///< [m or rad] of the median
   double scatter = 0;  ///< [m or rad] of the views about that
 };
 
-/// Near q, from the points beside the front's own edges in these views, oldest first. Nothing where no view shows such points.
+/// Near q, from the points beside the front's own edges in these views, oldest first. Views within a second count as one for
+/// `sigma`, since they share noise that stays where it is as long as the camera rests. Nothing where no view shows such points.
 std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& edges, double q,
                                      const std::vector<const DepthView*>& views);
 
