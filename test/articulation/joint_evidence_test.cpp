@@ -252,11 +252,32 @@ TEST(JointEvidence, OfHalfOfAMotionIsNotSure) {
   double sum = 0;
   for (const double p : model.probabilities) sum += p;
   EXPECT_NEAR(sum, 1, 1e-9);
+  // The tracker knows the size better and places the history anew.
+  ++watched.track().revision;
+  const LearnedModel placed_anew = watched.see(Eigen::Translation3d(0.36 * there.linear().col(1)) * there);
+  EXPECT_FALSE(placed_anew.explained);
+  EXPECT_GT(probability(placed_anew, JointType::kNonparametric), 0.5);
   // What is seen of the other half alone outweighs that in the end.
   for (int use = 0; use < 4; ++use)
     for (int i = 30; i >= 1; --i) model = watched.see(Eigen::Translation3d(0.012 * i * there.linear().col(1)) * there);
   EXPECT_TRUE(isA(JointType::kPrismatic, model));
   EXPECT_GT(probability(model, JointType::kPrismatic), 0.95);
+}
+
+/// Nor does a rest on the way of the second half make it sure, however long it is and however often the front is seen.
+TEST(JointEvidence, OfHalfOfAMotionIsNotSureAfterALongRest) {
+  const SyntheticFront opened = door();
+  for (const int rate : {5, 60}) {
+    Watched watched(opened, rate);
+    watched.move(0, opened.q_end, 2 * rate);
+    ASSERT_TRUE(isA(JointType::kRotational, watched.model()));
+    const Eigen::Isometry3d there = truePose(opened, opened.q_end);
+    const auto lifted = [&](double way) { return Eigen::Translation3d(way * there.linear().col(1)) * there; };
+    for (int i = 1; i <= 2 * rate; ++i) watched.see(lifted(0.36 * i / (2 * rate)));
+    for (int i = 0; i < 60 * rate; ++i) watched.see(lifted(0.36));
+    EXPECT_FALSE(watched.model().explained) << rate << " Hz";
+    EXPECT_LT(probability(watched.model(), JointType::kPrismatic), 0.5) << rate << " Hz";
+  }
 }
 
 TEST(JointEvidence, NeedsNoModelThatStandsStill) {

@@ -103,7 +103,7 @@ void FrontLearner::compareMotions(const MotionDetector* detector) {
 
 bool FrontLearner::update(const Track& track) {
   const std::size_t known = observations_.isContinuedBy(track) ? observations_.size() : 0;
-  if (distrusts_past_ && !track.observations.empty()) observations_.dropBefore(track.observations.back().stamp);
+  if (distrusts_past_ && !track.observations.empty()) observations_.leaveOutBefore(track.observations.back().stamp);
   distrusts_past_ = false;
   if (!observations_.update(track)) return false;
   placed_anew_ = known == 0;
@@ -116,7 +116,7 @@ bool FrontLearner::update(const Track& track) {
   learn(track);
   if (candidates_.empty()) return false;
   if (!weighEvidence() && !findOtherJoint(track)) {
-    observations_.dropBefore(evidence_.contradictedSince());
+    observations_.leaveOutBefore(evidence_.contradictedSince());
     learnAnew(track);
     if (candidates_.empty()) return false;
   }

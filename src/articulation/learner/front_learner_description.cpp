@@ -45,14 +45,18 @@ LearnedModel FrontLearner::describeKnownJoint() const {
   return learned;
 }
 
-/// What a joint that was given up came from is left out of fits. It tells all the same whether one joint is all that moves the
-/// front: the one that is known now may be far from it.
+/// What a joint that was given up came from is left out of fits. It tells all the same whether one joint makes all that was seen
+/// of the front. By time a long rest may hide it, along the way a fast motion may: one that tells is enough.
 void FrontLearner::weighWhatIsLeftOut() {
   if (learned_.type == JointType::kNonparametric) return;
-  PoseSequence all = observations_.withLeftOut(reference_, static_cast<std::size_t>(config_.poses_max));
-  all.outline = poses_.outline;
+  const auto count = static_cast<std::size_t>(config_.poses_max);
   KnownJoint known(learned_, reference_.offset(front_.width, front_.height), config_);
-  const double other = probabilityOfAnother(evaluateCandidate(&known, all, config_), config_);
+  const auto probability_of_another = [&](PoseSequence all) {
+    all.outline = poses_.outline;
+    return probabilityOfAnother(evaluateCandidate(&known, all, config_), config_);
+  };
+  const double other = std::max(probability_of_another(observations_.withLeftOut(reference_, count)),
+                                probability_of_another(observations_.alongWholeWay(reference_, count)));
   double of_joints = 0;
   for (const auto& model : models_) {
     if (!model->moves() || !model->isParametric()) continue;

@@ -33,7 +33,7 @@ Eigen::Matrix3d weightOf(const Eigen::Matrix3d& covariance, double sigma) {
 
 void ObservationHistory::append(const TrackedObservation& observation, std::vector<Entry>* entries) {
   const Rectangle& rectangle = observation.rectangle;
-  if (!std::isfinite(observation.stamp) || observation.stamp < not_before_) return;
+  if (!std::isfinite(observation.stamp)) return;
   if (!std::isfinite(rectangle.width) || !std::isfinite(rectangle.height)) return;
   if (!rectangle.pose.matrix().allFinite() || !isRotation(rectangle.pose.linear())) return;
   const auto& support = observation.edge_support;
@@ -80,20 +80,22 @@ std::optional<std::size_t> ObservationHistory::firstNew(const Track& track) cons
   return static_cast<std::size_t>(newest.base() - all.begin());
 }
 
-void ObservationHistory::leaveOutWhatIsNotIn(const Track& track) {
+void ObservationHistory::removeWhatIsNotIn(const Track& track) {
   std::vector<double> stamps;
   for (const TrackedObservation& observation : track.observations) stamps.push_back(observation.stamp);
   std::sort(stamps.begin(), stamps.end());
   const auto gone = [&stamps](const Entry& entry) { return !std::binary_search(stamps.begin(), stamps.end(), entry.stamp); };
-  for (std::vector<Entry>* entries : {&left_out_, &entries_})
-    entries->erase(std::remove_if(entries->begin(), entries->end(), gone), entries->end());
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), gone), entries_.end());
 }
 
-void ObservationHistory::dropBefore(double stamp) {
+void ObservationHistory::findFirst() {
+  const auto earlier = [](const Entry& entry, double stamp) { return entry.stamp < stamp; };
+  first_ = static_cast<std::size_t>(std::lower_bound(entries_.begin(), entries_.end(), not_before_, earlier) - entries_.begin());
+}
+
+void ObservationHistory::leaveOutBefore(double stamp) {
   not_before_ = stamp;
-  const auto first = std::find_if(entries_.begin(), entries_.end(), [stamp](const Entry& entry) { return entry.stamp >= stamp; });
-  left_out_.insert(left_out_.end(), entries_.begin(), first);
-  entries_.erase(entries_.begin(), first);
+  findFirst();
 }
 
 bool ObservationHistory::update(const Track& track) {
@@ -102,21 +104,22 @@ bool ObservationHistory::update(const Track& track) {
   if (!continued) turns_ = AmbiguousTurns(config_.sigma_position, config_.sigma_orientation);
   for (std::size_t i = continued.value_or(0); i < track.observations.size(); ++i) append(track.observations[i], &fresh);
   if (!continued) {
-    if (fresh.empty()) return false;
+    const auto is_left_out = [this](const Entry& entry) { return entry.stamp < not_before_; };
+    if (std::all_of(fresh.begin(), fresh.end(), is_left_out)) return false;
     redescribe(turns_.most(), &fresh);
     entries_.clear();
-    left_out_.clear();
   } else if (*continued < observations_) {
-    leaveOutWhatIsNotIn(track);
+    removeWhatIsNotIn(track);
   }
   entries_.insert(entries_.end(), fresh.begin(), fresh.end());
   const auto earlier = [](const Entry& a, const Entry& b) { return a.stamp < b.stamp; };
-  if (entries_.empty()) return false;
   const bool in_order = std::is_sorted(entries_.begin(), entries_.end(), earlier);
   if (!in_order) std::stable_sort(entries_.begin(), entries_.end(), earlier);
+  findFirst();
+  if (size() == 0) return false;
   measureWay(continued && in_order ? entries_.size() - fresh.size() : 0);
-  weighted_ =
-      config_.use_orientation && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.weighted; });
+  weighted_ = config_.use_orientation &&
+              std::any_of(entries_.begin() + first_, entries_.end(), [](const Entry& entry) { return entry.weighted; });
   measureJitter(continued.has_value());
   size_ << track.width, track.height;
   revision_ = track.revision;
@@ -127,10 +130,11 @@ bool ObservationHistory::update(const Track& track) {
 }
 
 double ObservationHistory::sizeDeviation() const {
-  const double n = static_cast<double>(entries_.size());
+  const double n = static_cast<double>(size());
   Eigen::Array2d mean = Eigen::Array2d::Zero(), deviation = mean;
-  for (const Entry& entry : entries_) mean += Eigen::Array2d(entry.width, entry.height) / n;
-  for (const Entry& entry : entries_) deviation += (Eigen::Array2d(entry.width, entry.height) - mean).abs() / n;
+  const auto measured = [this](std::size_t i) { return Eigen::Array2d(entries_[i].width, entries_[i].height); };
+  for (std::size_t i = first_; i < entries_.size(); ++i) mean += measured(i) / n;
+  for (std::size_t i = first_; i < entries_.size(); ++i) deviation += (measured(i) - mean).abs() / n;
   return deviation.maxCoeff();
 }
 
@@ -152,9 +156,9 @@ void ObservationHistory::measureWay(std::size_t from) {
 
 /// Again where a tenth more is known.
 void ObservationHistory::measureJitter(bool continues) {
-  if (continues && entries_.size() >= jitter_measured_at_ && 10 * entries_.size() < 11 * jitter_measured_at_) return;
-  jitter_measured_at_ = entries_.size();
-  jitter_ = weighted_ ? PoseJitter() : jitterOf(entries_.size(), [this](std::size_t i) { return entries_[i].center; });
+  if (continues && size() >= jitter_measured_at_ && 10 * size() < 11 * jitter_measured_at_) return;
+  jitter_measured_at_ = size();
+  jitter_ = weighted_ ? PoseJitter() : jitterOf(size(), [this](std::size_t i) { return entries_[first_ + i].center; });
 }
 
 }  // namespace cabinet_articulation::core

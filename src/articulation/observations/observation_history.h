@@ -37,11 +37,12 @@ class ObservationHistory {
   /// Whether the track is the one of the last update, with new observations after those, of which some may be left out.
   bool isContinuedBy(const Track& track) const { return firstNew(track).has_value(); }
 
-  /// From now on observations before `stamp` are left out.
-  void dropBefore(double stamp);
-  bool leavesOut() const { return !left_out_.empty(); }
+  /// From now on observations before `stamp` are left out, also of a history that is placed anew.
+  void leaveOutBefore(double stamp);
+  bool leavesOut() const { return first_ > 0; }
 
-  std::size_t size() const { return entries_.size(); }
+  /// Those that are not left out.
+  std::size_t size() const { return entries_.size() - first_; }
 
   /// [m] Mean deviation of the measured width or height, whichever varies more.
   double sizeDeviation() const;
@@ -55,8 +56,11 @@ class ObservationHistory {
   /// newest pose is among them.
   PoseSequence runs(ReferencePoint point, std::size_t count) const;
 
-  /// At most `count` poses, evenly spaced over all, those that are left out among them.
+  /// As evenlySpaced(), those that are left out among them.
   PoseSequence withLeftOut(ReferencePoint point, std::size_t count) const;
+
+  /// The same, evenly spaced along the centre's way: rest has no say, however long, nor has the frame rate.
+  PoseSequence alongWholeWay(ReferencePoint point, std::size_t count) const;
 
   /// The poses after `stamp`.
   PoseSequence since(ReferencePoint point, double stamp) const;
@@ -79,17 +83,20 @@ class ObservationHistory {
   };
 
   std::optional<std::size_t> firstNew(const Track& track) const;
-  void leaveOutWhatIsNotIn(const Track& track);
+  void removeWhatIsNotIn(const Track& track);
+  void findFirst();
   void measureWay(std::size_t from);
   void measureJitter(bool continues);
   std::vector<std::size_t> runStarts(std::size_t runs, std::size_t length) const;
+  std::vector<std::size_t> indicesAtPlaces(std::size_t first, std::size_t count) const;
+  std::vector<std::size_t> indicesAtSteps(double Entry::*measure, double step, std::size_t first, std::size_t count) const;
   PoseSequence picked(ReferencePoint point, const std::vector<std::size_t>& indices) const;
-  PoseSequence described(ReferencePoint point, const std::vector<const Entry*>& entries) const;
   void append(const TrackedObservation& observation, std::vector<Entry>* entries);
   void redescribe(const AmbiguousTurns::Description& description, std::vector<Entry>* entries);
 
   ArticulationConfig config_;
-  std::vector<Entry> entries_, left_out_;
+  std::vector<Entry> entries_;
+  std::size_t first_ = 0;  ///< index of the first entry that is not left out
   Eigen::Vector3d way_anchor_ = Eigen::Vector3d::Zero(), rest_anchor_ = way_anchor_;
   AmbiguousTurns turns_;
   bool weighted_ = false;
