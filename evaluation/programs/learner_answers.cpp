@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cabinet_articulation/articulation/articulation_learner.h"
+#include "cabinet_articulation/joints/hanging.h"
 #include "programs/options.h"
 #include "programs/parallel.h"
 #include "scores/learned_run.h"
@@ -133,20 +134,22 @@ void answerSequence(const std::string& folder, const Variant& variant, Answers* 
   const std::string name = (of_folder / source->name() / variant.name).string();
   Observer observer(variant);
   std::vector<Frame> frames;  // without images
-  std::vector<std::pair<int, LearnedModel>> learned;
+  std::vector<std::pair<int, std::vector<LearnedModel>>> learned;
   for (int i = 0; i < source->size(); ++i) {
     const Frame frame = source->frame(i);
     if (!frame.depth.empty() && variant.from_depth) return;  // it delivers depth as it is
     frames.push_back({frame.stamp, frame.T_world_camera, {}, {}, {}, frame.fronts});
     const PipelineResult seen = observer.see(frame, source->camera());
     if (i % static_cast<int>(kEvery) != 0 && i + 1 != source->size()) continue;
-    for (const LearnedModel& model : seen.models) learned.emplace_back(i, model);
+    learned.emplace_back(i, seen.models);
   }
-  for (const auto& [i, model] : learned) {
-    const std::string answer = name + ",frame" + std::to_string(i) + '/' + std::to_string(model.id);
-    answers->add(answer, model);
-    answers->addTruth(answer, trueType(model, frames));
-  }
+  for (const auto& [i, models] : learned)
+    for (const LearnedModel& model : models) {
+      const std::string answer = name + ",frame" + std::to_string(i) + '/' + std::to_string(model.id);
+      answers->add(answer, model);
+      // Without its parent nothing says where the front lies.
+      if (hangsOnKnown(model, models)) answers->addTruth(answer, trueType(model, models, frames));
+    }
 }
 
 int run(int argc, char** argv) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "articulation/models/model_registry.h"
+#include "cabinet_articulation/joints/hanging.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {
@@ -50,12 +51,12 @@ std::vector<TrueJoint> findJoints(const std::vector<Frame>& frames) {
   return joints;
 }
 
-JointType trueType(const LearnedModel& model, const std::vector<Frame>& frames) {
+JointType trueType(const LearnedModel& model, const std::vector<LearnedModel>& all, const std::vector<Frame>& frames) {
   const auto isNearer = [&](const Frame& a, const Frame& b) {
     return std::abs(a.stamp - model.stamp) < std::abs(b.stamp - model.stamp);
   };
   const Frame& seen = *std::min_element(frames.begin(), frames.end(), isNearer);
-  const Eigen::Vector3d center = seen.T_world_camera.inverse() * model.predict(model.q).translation();
+  const Eigen::Vector3d center = seen.T_world_camera.inverse() * (frameOf(model, all) * model.predict(model.q)).translation();
   const Front* front = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Front& other : seen.fronts) {
@@ -78,7 +79,7 @@ void LearnedRun::add(const std::vector<LearnedModel>& models) {
 
 std::optional<LearnedJoint> LearnedRun::find(const TrueJoint& joint) const {
   std::optional<LearnedJoint> best;
-  for (const LearnedModel& model : last_) {
+  for (const LearnedModel& model : allPlaced(last_)) {
     if (!model.moved) continue;
     const PredictionError error = predictionError(model, joint.poses);
     if (error.position > (best ? best->prediction.position : kSameFront)) continue;

@@ -25,8 +25,9 @@ struct TrueJoint {
 /// The joints of the fronts that opened by more than 3 cm.
 std::vector<TrueJoint> findJoints(const std::vector<Frame>& frames);
 
-/// How the front moves on which the model's front lies at its stamp. Rigid: that front did not open, or none is there.
-JointType trueType(const LearnedModel& model, const std::vector<Frame>& frames);
+/// How the front moves on which the model's front lies at its stamp. Rigid: that front did not open, or none is there. `all` has
+/// what was known at that stamp; throws ModelError if what the model hangs on is not among that (hangsOnKnown()).
+JointType trueType(const LearnedModel& model, const std::vector<LearnedModel>& all, const std::vector<Frame>& frames);
 
 /// What was learned about one joint: the model that predicts its front best, of those that moved.
 struct LearnedJoint {
@@ -42,7 +43,7 @@ class LearnedRun {
  public:
   void add(const std::vector<LearnedModel>& models);
 
-  /// Nothing if no model passes within 5 cm of the front in the mean.
+  /// Nothing if no model, with its parents where they were in the end, passes within 5 cm of the front in the mean.
   std::optional<LearnedJoint> find(const TrueJoint& joint) const;
 
   /// Objects that are called moving in the end.

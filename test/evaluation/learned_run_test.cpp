@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cabinet_articulation/joints/hanging.h"
+
 namespace cabinet_articulation::core::evaluation {
 namespace {
 
@@ -47,12 +49,36 @@ TEST(LearnedRun, TheTruthIsThatOfTheFrontOnWhichAModelLies) {
   LearnedModel model = door();
   model.stamp = 10;
   model.q = 10 * kStep;
-  EXPECT_EQ(trueType(model, frames), JointType::kRotational);
+  EXPECT_EQ(trueType(model, {}, frames), JointType::kRotational);
   model.origin.translation().y() = 0.5;
-  EXPECT_EQ(trueType(model, frames), JointType::kRigid) << "no front is there";
+  EXPECT_EQ(trueType(model, {}, frames), JointType::kRigid) << "no front is there";
   model.origin.translation() = Eigen::Vector3d(1.05, 0, 1.5);
   model.q = 0;
-  EXPECT_EQ(trueType(model, frames), JointType::kRigid) << "a front that stays";
+  EXPECT_EQ(trueType(model, {}, frames), JointType::kRigid) << "a front that stays";
+}
+
+TEST(LearnedRun, TheTruthOfAHangingFrontIsThatOfTheFrontOnWhichItLiesInTheWorld) {
+  std::vector<Frame> frames = doorFrames();
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].stamp = static_cast<double>(i);
+  LearnedModel parent;
+  parent.id = 3;
+  parent.type = JointType::kPrismatic;
+  parent.moved = true;
+  parent.axis = Eigen::Vector3d::UnitX();
+  parent.origin.translation() = Eigen::Vector3d(2, 1, 0.5);
+  parent.q = 0.3;
+  const Eigen::Isometry3d T_parent_world = parent.predict(parent.q).inverse();
+  LearnedModel hanging = transformed(door(), T_parent_world);
+  hanging.parent = parent.id;
+  hanging.stamp = 10;
+  hanging.q = 10 * kStep;
+  EXPECT_EQ(trueType(hanging, {parent, hanging}, frames), JointType::kRotational);
+  LearnedRun run;
+  run.add({parent, hanging});
+  const std::optional<LearnedJoint> learned = run.find(findJoints(frames).at(0));
+  ASSERT_TRUE(learned);
+  EXPECT_EQ(learned->model.id, hanging.id);
+  EXPECT_NEAR(learned->prediction.position, 0, 1e-6);
 }
 
 TEST(LearnedRun, TruePosesTellTheAxis) {
