@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """How often answers are right, by the probability they state: reliability.py ANSWERS.csv... [--plot OUT.png] [--list]
 
-ANSWERS.csv is what learner_answers writes of logs, sequences and scenes, with the truth. Each front has one vote, which its
-answers after some of its observations share, and another for its last answer. Only answers that something moved are counted.
---list names the fronts whose last answer is sure and wrong.
+ANSWERS.csv is what learner_answers writes of logs, sequences and scenes, with the truth. Each track has one vote, which its
+answers after some of its observations share, and another for its last answer. A front that is tracked twice, or of which a false
+track is learned, has a vote for each. Only answers that something moved are counted. --list names the tracks whose last answer is
+sure and wrong.
 """
 import argparse
 import csv
 import re
+import sys
 from collections import defaultdict
 
 RIGID, CURVE = 0, 3  # by the constants of ArticulationModel.msg
@@ -17,7 +19,7 @@ SURE = 0.95
 
 
 def answers(path):
-    """(front, number of observations or frame, fields) of every answer, in order."""
+    """(track, number of observations or frame, fields) of every answer with a truth, in order."""
     found = defaultdict(dict)
     with open(path, newline='') as file:
         for row in csv.DictReader(file):
@@ -26,41 +28,45 @@ def answers(path):
             if of_log:
                 key = row['source'], int(of_log.group(1))
             elif of_sequence:
-                key = '%s, front %s' % (row['source'], of_sequence.group(2)), int(of_sequence.group(1))
+                key = '%s, track %s' % (row['source'], of_sequence.group(2)), int(of_sequence.group(1))
             else:
                 continue
             found[key][row['field']] = float(row['value'])
-    for (front, count), fields in sorted(found.items()):
-        yield front, count, fields
+    for field in ('observed', 'truth'):
+        if found and not any(field in fields for fields in found.values()):
+            raise ValueError('%s has no field "%s": an older learner_answers wrote it, which is to be run again' % (path, field))
+    for (track, count), fields in sorted(found.items()):
+        if 'truth' in fields:
+            yield track, count, fields
 
 
 def votes(path):
-    """Of every front: a list of (probability, told type, true type) of its answers that it moved."""
-    by_front = defaultdict(list)
-    for front, _, fields in answers(path):
+    """Of every track: a list of (probability, told type, true type) of its answers that it moved."""
+    by_track = defaultdict(list)
+    for track, _, fields in answers(path):
         kind = int(fields['type'])
         if kind == RIGID or not fields['observed']:
             continue
         told = kind if fields['explained'] else CURVE
-        by_front[front].append((fields['probability%d' % told], told, int(fields['truth'])))
-    return by_front
+        by_track[track].append((fields['probability%d' % told], told, int(fields['truth'])))
+    return by_track
 
 
-def table(by_front):
+def table(by_track):
     """Rows of (from, to, votes, share right)."""
     weight, right = defaultdict(float), defaultdict(float)
-    for front in by_front.values():
-        for probability, told, truth in front:
+    for track in by_track.values():
+        for probability, told, truth in track:
             place = max(i for i, low in enumerate(BINS[:-1]) if probability >= low)
-            weight[place] += 1 / len(front)
-            right[place] += (told == truth) / len(front)
+            weight[place] += 1 / len(track)
+            right[place] += (told == truth) / len(track)
     return [(BINS[i], BINS[i + 1], weight[i], right[i] / weight[i]) for i in sorted(weight)]
 
 
-def sure(by_front):
+def sure(by_track):
     """Votes of sure answers, and how many of them are right."""
-    total = sum(sum(p > SURE for p, _, _ in front) / len(front) for front in by_front.values())
-    return total, sum(sum(p > SURE and told == truth for p, told, truth in front) / len(front) for front in by_front.values())
+    total = sum(sum(p > SURE for p, _, _ in track) / len(track) for track in by_track.values())
+    return total, sum(sum(p > SURE and told == truth for p, told, truth in track) / len(track) for track in by_track.values())
 
 
 def plot(rows, path):
@@ -81,19 +87,22 @@ def main():
     parser.add_argument('--plot')
     parser.add_argument('--list', action='store_true')
     options = parser.parse_args()
-    by_front = {(path, front): given for path in options.answers for front, given in votes(path).items()}
-    last = {front: given[-1:] for front, given in by_front.items()}
-    rows = table(by_front)
+    try:
+        by_track = {(path, track): given for path in options.answers for track, given in votes(path).items()}
+    except (OSError, ValueError) as error:
+        sys.exit('reliability.py: %s' % error)
+    last = {track: given[-1:] for track, given in by_track.items()}
+    rows = table(by_track)
     print('probability    votes  right')
     for low, high, count, share in rows:
         print('%.2f to %.2f  %6.1f  %4.0f %%' % (low, high, count, 100 * share))
-    total, right = sure(by_front)
+    total, right = sure(by_track)
     print('P > %.2f, all answers: %.1f of %.1f votes right' % (SURE, right, total))
     total, right = sure(last)
     print('P > %.2f, last answers: %d of %d right' % (SURE, right, total))
-    for (_, front), [(probability, told, truth)] in last.items():
+    for (_, track), [(probability, told, truth)] in last.items():
         if options.list and probability > SURE and told != truth:
-            print('%s: %s with %.3f, is %s' % (front, NAMES[told], probability, NAMES[truth]))
+            print('%s: %s with %.3f, is %s' % (track, NAMES[told], probability, NAMES[truth]))
     if options.plot:
         plot(rows, options.plot)
 

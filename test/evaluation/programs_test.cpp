@@ -158,6 +158,10 @@ TEST_F(ProgramsTest, AnswersAreCountedByWhatTheySay) {
   ASSERT_EQ(std::system((script + answers + " " + wrong + " >" + counts).c_str()), 0);
   EXPECT_NE(readText(counts).find("last answers: 1 of 2 right"), std::string::npos) << readText(counts);
   EXPECT_NE(readText(counts).find("drawer.txt: prismatic with"), std::string::npos) << readText(counts);
+  const std::string old = (folder() / "old.csv").string();
+  std::ofstream(old) << std::regex_replace(readText(answers), std::regex("[^\n]*,observed,[^\n]*\n"), "");
+  EXPECT_NE(std::system((script + old + " 2>" + counts).c_str()), 0);
+  EXPECT_EQ(readText(counts).find("reliability.py: " + old + " has no field \"observed\""), 0U) << readText(counts);
 }
 
 TEST_F(ProgramsTest, Figures) {
