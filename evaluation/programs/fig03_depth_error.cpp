@@ -9,6 +9,7 @@
 #include "programs/options.h"
 #include "sources/recorded_sequence.h"
 #include "sources/simulated_sources.h"
+#include "sources/variants.h"
 #include "tables/csv_writer.h"
 #include "tools/terminal/run_program.h"
 
@@ -68,7 +69,7 @@ void evaluate(FrameSource& source, CsvWriter* csv) {
   BlockMatcher matcher({});
   for (int i = 0; i < source.size(); ++i) {
     const Frame frame = source.frame(i);
-    const DepthError error = measure(matcher.process(frame.left, frame.right, source.camera()), frame.fronts.at(0).rectangle);
+    const DepthError error = measure(depthFrame(frame, source.camera(), &matcher), frame.fronts.at(0).rectangle);
     csv->row(source.name(), error.distance, 1e3 * error.deviation, 1e3 * error.bias, error.valid);
   }
 }

@@ -73,8 +73,7 @@ void runJob(const std::string& failures, Job* job) {
       job->judged.insert(job->judged.end(), judged.begin(), judged.end());
       if (!source->independent()) job->learned[k].add(seen.models);
     }
-    frame.left.release();
-    frame.right.release();
+    frame.releaseImages();
   }
   if (!source->independent()) job->joints = findJoints(frames);
 }
@@ -83,8 +82,11 @@ void addJobs(const SourceFactory& open, std::vector<Job>* jobs) {
   constexpr int kBlock = 25;  // independent frames need not be seen by one thread
   const std::unique_ptr<FrameSource> source = open();
   const int step = source->independent() ? kBlock : source->size();
+  std::vector<Variant> variants{ourVariant(), paperVariant()};
+  // A depth image in place of the pair is what `ours` sees anyway.
+  if (source->size() > 0 && source->frame(0).depth.empty()) variants.insert(variants.begin() + 1, depthVariant());
   for (int first = 0; first < source->size(); first += step)
-    jobs->push_back({open, first, first + step, {ourVariant(), depthVariant(), paperVariant()}, {}, {}, {}, {}});
+    jobs->push_back({open, first, first + step, variants, {}, {}, {}, {}});
 }
 
 std::vector<Job> makeJobs(const Options& options) {

@@ -30,6 +30,12 @@ struct Frame {
   cv::Mat1b left, right;
   cv::Mat1w depth;            ///< [mm] of a depth camera in place of the pair; empty: there is a pair
   std::vector<Front> fronts;  ///< the same ones in the same order in every frame
+
+  void releaseImages() {
+    left.release();
+    right.release();
+    depth.release();
+  }
 };
 
 /// Stereo pairs or depth images with ground truth, from the simulator or from a folder. A frame depends on its index alone.

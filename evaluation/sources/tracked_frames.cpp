@@ -31,7 +31,8 @@ class TrackedFrames : public TrackSource {
     BlockMatcher matcher(ourVariant().config.stereo);
     for (int i = 0; i < source.size(); ++i) {
       frames_.push_back(source.frame(i));
-      depth_.push_back(matcher.process(frames_.back().left, frames_.back().right, source.camera()));
+      depth_.push_back(depthFrame(frames_.back(), source.camera(), &matcher));
+      frames_.back().releaseImages();
     }
     const std::size_t front = movingFront(frames_);
     facts_ = {source.name(), frames_[0].fronts[front].type, true, true};
@@ -74,7 +75,7 @@ class TrackedFrames : public TrackSource {
     return best;
   }
 
-  std::vector<Frame> frames_;
+  std::vector<Frame> frames_;  ///< without images
   std::vector<DepthFrame> depth_;
   SourceFacts facts_;
   std::vector<ReferencePose> reference_;

@@ -5,6 +5,20 @@
 #include "stereo/whole_millimetres.h"
 
 namespace cabinet_articulation::core::evaluation {
+namespace {
+
+DepthFrame fromDepthCamera(const cv::Mat1w& depth, StereoCamera camera) {
+  camera.baseline = FrameInputConfig().virtual_baseline;
+  camera.cx_difference = 0;
+  return frameFromDepth(depth, camera);
+}
+
+}  // namespace
+
+DepthFrame depthFrame(const Frame& frame, const StereoCamera& camera, BlockMatcher* matcher) {
+  return frame.depth.empty() ? matcher->process(frame.left, frame.right, camera) : fromDepthCamera(frame.depth, camera);
+}
+
 Variant ourVariant() { return {"ours", {}, false}; }
 
 Variant depthVariant() { return {"ours_depth", {}, true}; }
@@ -18,10 +32,7 @@ PipelineResult Observer::see(const Frame& frame, const StereoCamera& camera) {
   if (has_pair && !variant_.from_depth)
     return pipeline_.process(frame.stamp, frame.left, frame.right, camera, frame.T_world_camera);
   const cv::Mat1w depth = has_pair ? wholeMillimetres(matcher_.process(frame.left, frame.right, camera)) : frame.depth;
-  StereoCamera depth_camera = camera;
-  depth_camera.baseline = FrameInputConfig().virtual_baseline;
-  depth_camera.cx_difference = 0;
-  return pipeline_.process(frame.stamp, frameFromDepth(depth, depth_camera), frame.T_world_camera);
+  return pipeline_.process(frame.stamp, fromDepthCamera(depth, camera), frame.T_world_camera);
 }
 
 }  // namespace cabinet_articulation::core::evaluation

@@ -8,6 +8,9 @@
 
 namespace cabinet_articulation::core::evaluation {
 
+/// What block matching finds in the pair, or the depth image that takes its place, as the nodelets treat one.
+DepthFrame depthFrame(const Frame& frame, const StereoCamera& camera, BlockMatcher* matcher);
+
 /// One way to detect fronts: the pipeline's settings, and what it is given.
 struct Variant {
   std::string name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tables/failure_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
@@ -11,6 +12,16 @@ namespace cabinet_articulation::core::evaluation {
 namespace {
 
 constexpr int kScale = 2;
+
+/// The farther, the brighter; black where there is no depth.
+cv::Mat1b picture(const Frame& frame) {
+  if (frame.depth.empty()) return frame.left;
+  cv::Mat1b picture;
+  double farthest = 0;
+  cv::minMaxIdx(frame.depth, nullptr, &farthest);
+  frame.depth.convertTo(picture, CV_8U, 255 / std::max(farthest, 1.0));
+  return picture;
+}
 
 void drawRectangle(const Rectangle& rectangle, const StereoCamera& camera, const cv::Scalar& color, cv::Mat3b* image) {
   std::vector<cv::Point> outline;
@@ -27,7 +38,7 @@ void drawRectangle(const Rectangle& rectangle, const StereoCamera& camera, const
 cv::Mat3b drawFailure(const Frame& frame, const StereoCamera& camera, const Rectangle& truth,
                       const std::vector<DetectedRectangle>& rectangles, const DetectionScore& score) {
   cv::Mat large;
-  cv::resize(frame.left, large, {}, kScale, kScale, cv::INTER_LINEAR);
+  cv::resize(picture(frame), large, {}, kScale, kScale, cv::INTER_LINEAR);
   cv::Mat3b image;
   cv::cvtColor(large, image, cv::COLOR_GRAY2BGR);
   for (const DetectedRectangle& other : rectangles) drawRectangle(other.rectangle, camera, {255, 160, 60}, &image);

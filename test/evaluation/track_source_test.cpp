@@ -10,7 +10,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "cabinet_articulation/stereo/block_matcher.h"
 #include "sources/simulated_sources.h"
+#include "stereo/whole_millimetres.h"
+#include "tables/failure_picture.h"
 
 namespace cabinet_articulation::core::evaluation {
 namespace {
@@ -39,6 +42,50 @@ TEST(TrackSource, FramesShowTheFrontThatMoves) {
   ASSERT_TRUE(model) << "the pipeline learns on the way";
   EXPECT_EQ(model->id, track.id);
   EXPECT_EQ(model->type, JointType::kPrismatic);
+}
+
+/// A simulated run as a depth camera would deliver it.
+class DepthOnly : public FrameSource {
+ public:
+  explicit DepthOnly(std::unique_ptr<FrameSource> run) : run_(std::move(run)) {}
+
+  const std::string& name() const override { return run_->name(); }
+  const StereoCamera& camera() const override { return run_->camera(); }
+  int size() const override { return run_->size(); }
+  bool independent() const override { return run_->independent(); }
+  Frame frame(int index) override {
+    Frame frame = run_->frame(index);
+    const cv::Mat1w depth = wholeMillimetres(matcher_.process(frame.left, frame.right, camera()));
+    frame.releaseImages();
+    frame.depth = depth;
+    return frame;
+  }
+
+ private:
+  std::unique_ptr<FrameSource> run_;
+  BlockMatcher matcher_{StereoConfig()};
+};
+
+TEST(TrackSource, ADepthImageTakesThePlaceOfThePair) {
+  SimulationConfig config;
+  config.scene = "drawer";
+  config.rate = 5;
+  DepthOnly frames(simulateRun(config));
+  const auto source = trackFrames(frames);
+  std::vector<int> all(frames.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::size_t observed = 0;
+  source->observe(all, [&](const SeenFront& front) { observed = front.track.observations.size(); });
+  EXPECT_GE(observed, 10U);
+}
+
+TEST(TrackSource, OfADepthImageWhatWasMissedIsDrawnToo) {
+  Frame frame;
+  frame.depth = cv::Mat1w(48, 64, std::uint16_t{1000});
+  frame.depth(5, 60) = 2000;
+  const cv::Mat3b drawn = drawFailure(frame, StereoCamera(), {}, {}, {});
+  EXPECT_EQ(drawn.size(), cv::Size(128, 96));
+  EXPECT_EQ(drawn(90, 10), cv::Vec3b(128, 128, 128));
 }
 
 TEST(TrackSource, ALogIsItsOwnReference) {
