@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "articulation/synthetic_tracks.h"
@@ -15,7 +16,8 @@ namespace {
 /// A front that is watched frame by frame.
 class Watched {
  public:
-  explicit Watched(const SyntheticFront& front, double rate = 15) : front_(front), period_(1 / rate) {
+  explicit Watched(const SyntheticFront& front, double rate = 15, const ArticulationConfig& config = {})
+      : learner(config), front_(front), period_(1 / rate) {
     track_.id = 7;
     track_.width = front.width;
     track_.height = front.height;
@@ -45,7 +47,7 @@ class Watched {
   const LearnedModel& model() const { return model_; }
   Track& track() { return track_; }
 
-  ArticulationLearner learner{{}};
+  ArticulationLearner learner;
 
  private:
   SyntheticFront front_;
@@ -262,6 +264,21 @@ TEST(JointEvidence, OfHalfOfAMotionIsNotSure) {
     for (int i = 30; i >= 1; --i) model = watched.see(Eigen::Translation3d(0.012 * i * there.linear().col(1)) * there);
   EXPECT_TRUE(isA(JointType::kPrismatic, model));
   EXPECT_GT(probability(model, JointType::kPrismatic), 0.95);
+}
+
+/// Probabilities are those of the types that were asked for.
+TEST(JointEvidence, OfHalfOfAMotionGivesNothingToACurveThatIsNotAskedFor) {
+  const SyntheticFront opened = door();
+  ArticulationConfig config;
+  config.joint_types = "rigid prismatic rotational";
+  Watched watched(opened, 15, config);
+  watched.move(0, opened.q_end, 25);
+  const Eigen::Isometry3d there = truePose(opened, opened.q_end);
+  LearnedModel model;
+  for (int i = 1; i <= 30; ++i) model = watched.see(Eigen::Translation3d(0.012 * i * there.linear().col(1)) * there);
+  EXPECT_FALSE(model.explained);
+  EXPECT_EQ(probability(model, JointType::kNonparametric), 0);
+  EXPECT_NEAR(std::accumulate(model.probabilities.begin(), model.probabilities.end(), 0.0), 1, 1e-9);
 }
 
 /// Nor does a rest on the way of the second half make it sure, however long it is and however often the front is seen.

@@ -57,6 +57,10 @@ void FrontLearner::weighWhatIsLeftOut() {
   };
   const double other = std::max(probability_of_another(observations_.withLeftOut(reference_, count)),
                                 probability_of_another(observations_.alongWholeWay(reference_, count)));
+  learned_.explained = learned_.explained && other < 1 - other;
+  // Types that joint_types leaves out are never told.
+  if (std::none_of(models_.begin(), models_.end(), [](const auto& model) { return model->type() == JointType::kNonparametric; }))
+    return;
   double of_joints = 0;
   for (const auto& model : models_) {
     if (!model->moves() || !model->isParametric()) continue;
@@ -65,7 +69,6 @@ void FrontLearner::weighWhatIsLeftOut() {
     probability *= 1 - other;
   }
   learned_.probabilities[static_cast<std::size_t>(JointType::kNonparametric)] += other * of_joints;
-  learned_.explained = learned_.explained && other < 1 - other;
 }
 
 }  // namespace cabinet_articulation::core
