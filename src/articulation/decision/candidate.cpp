@@ -72,8 +72,9 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track,
 bool explains(const Candidate& candidate, const ArticulationConfig& config) { return misfit(candidate, config) <= 1; }
 
 double probabilityOfAnother(const Candidate& candidate, const ArticulationConfig& config) {
-  // [nats] for each e-fold: log-normal deviations of which 5 % of the joints' are above 1.4 and of other motions' below 2.7.
-  constexpr double kSteepness = 9;
+  // [nats for each e-fold] Two log-normal deviations of one spread s, the joints' about m, as likely as each other at the limit d
+  // of 2 sigma_position: 2 ln(d / m) / s^2. Measured, position errors of 50 recorded joints: m = 0.23 sigma_position, s = 0.74.
+  constexpr double kSteepness = 8;
   if (explains(candidate, config)) return 0;
   return logistic(kSteepness * std::log(misfit(candidate, config)));
 }

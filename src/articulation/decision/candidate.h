@@ -31,8 +31,8 @@ Candidate evaluateCandidate(ArticulationModel* model, const PoseSequence& track,
 /// so that no less than centimetres tell.
 bool explains(const Candidate& candidate, const ArticulationConfig& config);
 
-/// The probability that the track is that of another motion than this model's, by the same deviations: from a half, where the
-/// model just no longer explains them, on. 0: it does.
+/// The probability that the track is that of another motion than this model's, by the same deviations. 0 where the model explains
+/// the track; where it just does not, a half, and more with larger deviations.
 double probabilityOfAnother(const Candidate& candidate, const ArticulationConfig& config);
 
 }  // namespace cabinet_articulation::core
