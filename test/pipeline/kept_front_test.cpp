@@ -14,6 +14,7 @@ namespace {
 constexpr double kRate = 10;
 constexpr double kWall = 2.2;  // [m]
 constexpr double kWidth = 0.4, kHeight = 0.3;
+constexpr double kThickness = 0.018;  // [m] of its board
 
 /// A front before a wall, as a depth camera with noise of a twentieth of a pixel sees it.
 DepthFrame seen(const Rectangle& front, int seed) {
@@ -21,7 +22,8 @@ DepthFrame seen(const Rectangle& front, int seed) {
   frame.camera = {640, 480, 690, 690, 320, 240, 0.09, 0};
   frame.disparity.create(480, 640);
   const Eigen::Vector3d normal = front.pose.linear().col(2);
-  const double distance = normal.dot(front.center());
+  double distance = normal.dot(front.center());
+  if (distance > 0) distance -= kThickness;  // its back is seen
   cv::RNG noise(seed);
   for (int v = 0; v < 480; ++v)
     for (int u = 0; u < 640; ++u) {

@@ -57,10 +57,12 @@ void FrontLearner::weighWhatIsLeftOut() {
   };
   const double other = std::max(probability_of_another(observations_.withLeftOut(reference_, count)),
                                 probability_of_another(observations_.alongWholeWay(reference_, count)));
-  learned_.explained = learned_.explained && other < 1 - other;
-  // Types that joint_types leaves out are never told.
-  if (std::none_of(models_.begin(), models_.end(), [](const auto& model) { return model->type() == JointType::kNonparametric; }))
+  if (std::none_of(models_.begin(), models_.end(),
+                   [](const auto& model) { return model->type() == JointType::kNonparametric; })) {
+    // A type that joint_types leaves out is never told.
+    learned_.explained = learned_.explained && other < 1 - other;
     return;
+  }
   double of_joints = 0;
   for (const auto& model : models_) {
     if (!model->moves() || !model->isParametric()) continue;
