@@ -9,8 +9,8 @@
 
 namespace cabinet_articulation::core::evaluation {
 
-/// The left image, or the depth image in place of the pair, with the true front (green), the rectangle that overlaps it best
-/// (red), all others (blue) and the score.
+/// The left image, or the depth image where there is no pair, and the score. The true front is green, the rectangle that
+/// overlaps it best red, and all others blue.
 cv::Mat3b drawFailure(const Frame& frame, const StereoCamera& camera, const Rectangle& truth,
                       const std::vector<DetectedRectangle>& rectangles, const DetectionScore& score);
 

@@ -17,7 +17,7 @@ namespace cabinet_articulation::core {
 namespace {
 
 constexpr std::size_t kMostPlaces = 1000;  ///< as many as joints out of view stay known
-constexpr double kPeriod = 0.3;            ///< [s] a front closes in no less
+constexpr double kPeriod = 0.3;            ///< [s] a front closes in no less (ours)
 
 bool canBeSearched(const LearnedModel& model) { return isJoint(model) && leavesItsPlane(model); }
 

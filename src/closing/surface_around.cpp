@@ -59,7 +59,7 @@ std::vector<Eigen::Vector3d> surfacePoints(const FrontInView& seen, const OwnEdg
 
 std::optional<Surface> surfaceAround(const LearnedModel& joint, const OwnEdges& edges, double q,
                                      const std::vector<const DepthView*>& views) {
-  constexpr int kIterations = 4;
+  constexpr int kIterations = 4;  // ours: each step leaves a small part of the error before
   Surface surface{q, 0, 0};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     std::vector<Weighted> corrections;

@@ -42,7 +42,7 @@ std::vector<std::size_t> ObservationHistory::indicesAtSteps(double Entry::*measu
 }
 
 PoseSequence ObservationHistory::runs(ReferencePoint point, std::size_t count) const {
-  constexpr std::size_t kRun = 20;
+  constexpr std::size_t kRun = 20;  // successive frames, of which the correlation of noise is told (ours)
   const std::size_t runs = count / kRun;
   if (size() <= count || runs < 2) return evenlySpaced(point, count);
   std::vector<std::size_t> indices;

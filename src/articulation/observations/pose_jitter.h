@@ -8,7 +8,7 @@
 
 namespace cabinet_articulation::core {
 
-constexpr std::size_t kJitterTriples = 200;  ///< of successive poses: enough for a median
+constexpr std::size_t kJitterTriples = 200;  ///< of successive poses: enough for a median (ours)
 
 /// How far a step leads back where the step before came from: 0 where both go on.
 double stepBack(const Eigen::Vector3d& step, const Eigen::Vector3d& next);
